@@ -4558,10 +4558,6 @@
         <translation>palmer-cli évalue des essais de machines-outils&#xa0;: positionnement d’axes (ISO 230-2), essais de circularité (ISO 230-4).</translation>
     </message>
     <message>
-        <source>what to write: readings and results, or a compensation table</source>
-        <translation>ce qu’il faut écrire&#xa0;: relevés et résultats, ou table de compensation</translation>
-    </message>
-    <message>
         <source>the file to write</source>
         <translation>le fichier à écrire</translation>
     </message>
@@ -4596,10 +4592,6 @@
     <message>
         <source>predicted with the compensation applied:</source>
         <translation>prévu après application de la compensation&#xa0;:</translation>
-    </message>
-    <message>
-        <source>readings and results, or a compensation table with what it would bring</source>
-        <translation>relevés et résultats, ou table de compensation avec ce qu’elle apporterait</translation>
     </message>
     <message>
         <source>diameter the feed was specified for</source>
@@ -9305,6 +9297,110 @@
     <message>
         <source>95 % interval</source>
         <translation>intervalle à 95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainties are evaluated according to the GUM (JCGM 100) and stated with the coverage factor k = 2, a coverage probability of about 95 %; simulated ones (JCGM 101) are half of the shortest interval that holds 95.45 %.</source>
+        <translation>Les incertitudes étendues sont évaluées selon le GUM (JCGM 100) et indiquées avec le facteur conventionnel k = 2, soit une probabilité de couverture d’environ 95 %&#x202f;; celles obtenues par simulation (JCGM 101) sont la moitié du plus petit intervalle contenant 95,45 %.</translation>
+    </message>
+    <message>
+        <source>its manufacturer</source>
+        <translation>son constructeur</translation>
+    </message>
+    <message>
+        <source>who authorises the report</source>
+        <translation>la personne qui autorise le rapport</translation>
+    </message>
+    <message>
+        <source>its serial number</source>
+        <translation>son numéro de série</translation>
+    </message>
+    <message>
+        <source>the date of the tests</source>
+        <translation>la date des essais</translation>
+    </message>
+    <message>
+        <source>what to write: readings and results, a digital calibration certificate, or a compensation table</source>
+        <translation>ce qu’il faut écrire&#xa0;: relevés et résultats, certificat d’étalonnage numérique ou table de compensation</translation>
+    </message>
+    <message>
+        <source>the machine</source>
+        <translation>la machine</translation>
+    </message>
+    <message>
+        <source>expected a country as two capital letters (ISO 3166-1), as FR</source>
+        <translation>pays attendu en deux lettres capitales (ISO 3166-1), comme FR</translation>
+    </message>
+    <message>
+        <source>the customer</source>
+        <translation>le client</translation>
+    </message>
+    <message>
+        <source>a digital calibration certificate must also state: %1</source>
+        <translation>un certificat d’étalonnage numérique doit aussi indiquer&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>accreditation %1</source>
+        <translation>accréditation %1</translation>
+    </message>
+    <message>
+        <source>the digital calibration certificate in the PDF is not the one that follows from the data</source>
+        <translation>le certificat d’étalonnage numérique joint au PDF n’est pas celui qui découle des données</translation>
+    </message>
+    <message>
+        <source>the laboratory</source>
+        <translation>le laboratoire</translation>
+    </message>
+    <message>
+        <source>a test</source>
+        <translation>un essai</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>Portée</translation>
+    </message>
+    <message>
+        <source>the place of the tests</source>
+        <translation>le lieu des essais</translation>
+    </message>
+    <message>
+        <source>the address of the customer</source>
+        <translation>l’adresse du client</translation>
+    </message>
+    <message>
+        <source>certificate %1</source>
+        <translation>certificat %1</translation>
+    </message>
+    <message>
+        <source>readings and results, a digital calibration certificate, or a compensation table with what it would bring</source>
+        <translation>relevés et résultats, certificat d’étalonnage numérique, ou table de compensation avec ce qu’elle apporterait</translation>
+    </message>
+    <message>
+        <source>Reason of the revision</source>
+        <translation>Motif de la révision</translation>
+    </message>
+    <message>
+        <source>calibrated by %1</source>
+        <translation>étalonné par %1</translation>
+    </message>
+    <message>
+        <source>the number of the report</source>
+        <translation>le numéro du rapport</translation>
+    </message>
+    <message>
+        <source>its country</source>
+        <translation>son pays</translation>
+    </message>
+    <message>
+        <source>Deviations from the method</source>
+        <translation>Écarts par rapport à la méthode</translation>
+    </message>
+    <message>
+        <source>the PDF also carries the results as a digital calibration certificate</source>
+        <translation>le PDF contient aussi les résultats sous forme de certificat d’étalonnage numérique</translation>
+    </message>
+    <message>
+        <source>no results</source>
+        <translation>aucun résultat</translation>
     </message>
 </context>
 </TS>

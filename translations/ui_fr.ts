@@ -2124,6 +2124,18 @@
         <source>%1: none</source>
         <translation>%1&#xa0;: aucun</translation>
     </message>
+    <message>
+        <source>Country</source>
+        <translation>Pays</translation>
+    </message>
+    <message>
+        <source>two letters (ISO 3166-1), as FR</source>
+        <translation>deux lettres (ISO 3166-1), comme FR</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contact</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ImportAssistant</name>
@@ -2358,6 +2370,18 @@
     <message>
         <source>the tests name the instrument so: it cannot be empty</source>
         <translation>les essais nomment ainsi l’instrument&#xa0;: il ne peut pas être vide</translation>
+    </message>
+    <message>
+        <source>Traceable to</source>
+        <translation>Raccordé à</translation>
+    </message>
+    <message>
+        <source>Its accreditation</source>
+        <translation>Son accréditation</translation>
+    </message>
+    <message>
+        <source>Its certificate</source>
+        <translation>Son certificat</translation>
     </message>
 </context>
 <context>
@@ -4331,6 +4355,14 @@ est la même machine que&#xa0;:</translation>
             <numerusform>Tous les relevés (environ %n page de plus)</numerusform>
             <numerusform>Tous les relevés (environ %n pages de plus)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>U to two significant digits</source>
+        <translation>U à deux chiffres significatifs</translation>
+    </message>
+    <message>
+        <source>Attach a digital calibration certificate (DCC)</source>
+        <translation>Joindre un certificat d’étalonnage numérique (DCC)</translation>
     </message>
 </context>
 <context>

@@ -279,7 +279,7 @@ private:
     void writeStatements() {
         statement(REPORT_TEXT("report", "Scope"),
                   both([](const Language &language) { return scopeText(Writer(language)); }));
-        statement(REPORT_TEXT("report", "Uncertainty"),
+        statement(REPORT_TEXT("report", "Expanded uncertainty"),
                   both([](const Language &language) { return coverageText(Writer(language)); }));
         const std::array stated{
             std::pair{REPORT_TEXT("report", "Place"), head().place},
@@ -287,7 +287,6 @@ private:
             std::pair{REPORT_TEXT("report", "Procedure"), head().procedure},
             std::pair{REPORT_TEXT("report", "Deviations from the method"), head().deviationsFromMethod},
             std::pair{REPORT_TEXT("report", "Adjustments made"), head().adjustments},
-            std::pair{REPORT_TEXT("report", "Replaces"), head().replaces},
             std::pair{REPORT_TEXT("report", "Reason of the revision"), head().revisionReason},
             std::pair{REPORT_TEXT("report", "Remarks"), head().remarks},
         };
@@ -295,6 +294,10 @@ private:
             if (!QString::fromStdString(text).trimmed().isEmpty())
                 statement(name, text);
         }
+        if (!head().replaces.empty())
+            statement(REPORT_TEXT("report", "Revision"), both([&](const Language &language) {
+                          return language.sentence(REPORT_TEXT("report", "replaces %1"), {head().replaces});
+                      }));
     }
 
     // ---- A test ----
@@ -447,7 +450,9 @@ private:
         const QString symbol = QString::fromStdString(plainSymbol(parameter));
         if (!parameter.value || !std::isfinite(*parameter.value)) {
             said("dcc:noQuantity", both([&](const Language &language) {
-                     return symbol + QStringLiteral(": ") + language.text(REPORT_TEXT("report", "no value"));
+                     return symbol + QStringLiteral(": ") +
+                            language.text(
+                                REPORT_TEXT_FOR("report", "no value", "why a limit cannot be evaluated"));
                  }));
         } else {
             real(*parameter.value, parameter.term.quantity, symbol, [&] { writeUncertainty(parameter); });

@@ -25,7 +25,7 @@ QString schemaPath(int version) {
     return QStringLiteral(PALMER_SOURCE_DIR "/resources/schema/palmer-%1.schema.json").arg(version);
 }
 
-/// The complete file with every field of version 2.
+/// The complete file with every field of this version.
 QByteArray completeFileOf(int version) {
     Document document = readDocument(completeFile());
     if (version == 1)
@@ -55,6 +55,15 @@ QByteArray completeFileOf(int version) {
                 common(c->conditions.common);
             }
         });
+    }
+    if (version == 3) {
+        ReportHead &head = document.report;
+        head.laboratory.country = "FR";
+        head.customer.contact = head.supplier.contact = "A. Martin";
+        head.revisionReason = "wrong date";
+        head.deviationsFromMethod = "none";
+        head.rounding = Rounding::twoDigits;
+        document.instruments[0].traceability = {"Institute", "2-0001", "C-2"};
     }
     return writeDocument(document);
 }
@@ -263,7 +272,7 @@ class DocumentSchemaTest : public QObject {
 
 private slots:
     void saysWhatItCannotExpress() {
-        for (const int version : {1, 2}) {
+        for (const int version : {1, 2, 3}) {
             const QString said = Schema(version).root().value(QStringLiteral("description")).toString();
             for (const auto &[message, words] : beyondSchema)
                 QVERIFY2(said.contains(QString::fromUtf8(words)), message.c_str());
@@ -334,6 +343,7 @@ private slots:
         QTest::addColumn<int>("version");
         QTest::newRow("version 1") << 1;
         QTest::newRow("version 2") << 2;
+        QTest::newRow("version 3") << 3;
     }
     void schemaAndReaderRefuseTheSame() {
         QFETCH(int, version);

@@ -297,7 +297,7 @@ private slots:
             "expected a whole number from 1 on");
         row("version as text", R"({"format": "palmer test report", "version": "1"})", content, "version",
             "expected a whole number from 1 on");
-        row("newer version", R"({"format": "palmer test report", "version": 3, "new": 1})",
+        row("newer version", R"({"format": "palmer test report", "version": 4, "new": 1})",
             Error::Kind::newerVersion, "version",
             "the file was written by a newer version of Palmer (format %1); this one reads up to format %2: "
             "install "

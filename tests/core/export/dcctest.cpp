@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "export/dcc.h"
+
+#include "core/document/completefile.h"
+#include "document/documenterror.h"
+#include "document/edits.h"
+#include "document/readdocument.h"
+#include "document/savedocument.h"
+#include "kernel/evaluation/testevaluation.h"
+#include "language/rounding.h"
+
+#include <QDir>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+#include <map>
+
+using namespace palmer;
+
+namespace {
+
+/// States what a certificate is obliged to and an example lacks.
+Document stated(Document document) {
+    ReportHead &head = document.report;
+    const auto state = [](std::string &text, const char *value) {
+        if (text.empty())
+            text = value;
+    };
+    state(head.number, "R-1");
+    state(head.laboratory.name, "Laboratory");
+    state(head.laboratory.country, "FR");
+    state(head.authorisedBy.name, "B. Durand");
+    state(head.customer.name, "Customer");
+    state(head.customer.address, "Street 1\nTown");
+    state(head.place, "Hall 2");
+    if (!head.performedFrom)
+        head.performedFrom = "2026-11-20";
+    state(document.machine.name, "M1");
+    state(document.machine.manufacturer, "Maker");
+    state(document.machine.serialNumber, "123");
+    return document;
+}
+
+QStringList files() {
+    QStringList result{PALMER_SOURCE_DIR "/tests/data/complete.palmer"};
+    const QDir examples(EXAMPLES);
+    for (const QString &name : examples.entryList({"*.palmer"}))
+        result << examples.filePath(name);
+    return result;
+}
+
+EvaluatedDocument evaluatedFile(const QString &path) {
+    return evaluate(std::make_shared<const Document>(stated(openDocument(path))));
+}
+
+/// A number of the certificate: element, text; in order.
+using Numbers = QList<std::pair<QString, QString>>;
+
+/// For each measurement result the numbers of its first result, which has the parameters.
+QList<Numbers> numbersOf(const QByteArray &certificate) {
+    QList<Numbers> tests;
+    QXmlStreamReader xml(certificate);
+    int result = 0;
+    QStringList path;
+    while (!xml.atEnd()) {
+        const auto token = xml.readNext();
+        if (token == QXmlStreamReader::StartElement) {
+            const QString name = xml.name().toString();
+            if (name == "measurementResult") {
+                tests.append(Numbers());
+                result = 0;
+            } else if (name == "result") {
+                ++result;
+            }
+            path << name;
+            if (result == 1 && path.contains("results") &&
+                QStringList{"value", "unit", "uncertainty", "label", "coverageFactor", "coverageProbability",
+                            "conformity"}
+                    .contains(name)) {
+                const bool limit = path.contains("measurementMetaData");
+                tests.last().append({(limit ? "limit " : "") + name, xml.readElementText()});
+                path.removeLast();
+            }
+        } else if (token == QXmlStreamReader::EndElement) {
+            path.removeLast();
+        }
+    }
+    if (xml.hasError())
+        qFatal("no XML: %s", qPrintable(xml.errorString()));
+    return tests;
+}
+
+double inBase(const QString &number, const QString &unit) {
+    const double value = number.toDouble();
+    return unit == "\\micro\\metre" ? value / 1000 : unit == "\\arcsecond" ? value / 3600 : value;
+}
+
+bool equal(double a, double b) {
+    return std::abs(a - b) <= 4e-15 * std::max(std::abs(a), std::abs(b));
+}
+
+} // namespace
+
+class DccTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyValueUncertaintyAndLimitIsInIt_data() { addFiles(); }
+    void everyValueUncertaintyAndLimitIsInIt();
+    void theSchemaTakesIt_data() { addFiles(); }
+    void theSchemaTakesIt();
+    void unitsAreThoseOfDSi();
+    void whatIsMissingIsNamedInOneSentence();
+    void conformityOfATestFollowsItsAccordance();
+    void textsAreInBothLanguages();
+
+private:
+    static void addFiles() {
+        QTest::addColumn<QString>("path");
+        for (const QString &path : files())
+            QTest::newRow(qPrintable(QFileInfo(path).completeBaseName())) << path;
+    }
+};
+
+void DccTest::everyValueUncertaintyAndLimitIsInIt() {
+    QFETCH(QString, path);
+    const EvaluatedDocument evaluated = evaluatedFile(path);
+    const QList<Numbers> tests = numbersOf(dcc(evaluated));
+    QCOMPARE(tests.size(), qsizetype(evaluated.tests.size()));
+    for (qsizetype i = 0; i < tests.size(); ++i) {
+        const TestEvaluation &evaluation = *evaluated.tests[static_cast<std::size_t>(i)];
+        const Numbers &numbers = tests[i];
+        qsizetype at = 0;
+        const auto next = [&](const char *element) {
+            const bool is = at < numbers.size() && numbers[at].first == element;
+            return is ? numbers[at++].second : QString();
+        };
+        for (const Parameter &parameter : evaluation.parameters) {
+            if (parameter.value) {
+                QCOMPARE(next("label"), QString::fromStdString(plainSymbol(parameter)));
+                const QString value = next("value");
+                const QString unit = next("unit");
+                QVERIFY2(equal(inBase(value, unit), *parameter.value), qPrintable(value));
+                if (parameter.expandedUncertainty) {
+                    const QString expanded = next("uncertainty");
+                    QVERIFY2(equal(inBase(expanded, unit), *parameter.expandedUncertainty),
+                             qPrintable(expanded));
+                    QCOMPARE(next("coverageFactor"), "2");
+                    QCOMPARE(next("coverageProbability"), "0.95");
+                }
+            }
+            if (parameter.limit && parameter.limit->value) {
+                if (parameter.verdict && parameter.value)
+                    QCOMPARE(next("limit conformity").isEmpty(), false);
+                const QString limit = next("limit value");
+                QVERIFY2(equal(inBase(limit, next("limit unit")), *parameter.limit->value),
+                         qPrintable(limit));
+            }
+        }
+        if (evaluation.edition)
+            QCOMPARE(at, numbers.size());
+    }
+}
+
+void DccTest::theSchemaTakesIt() {
+    if (QByteArray(PALMER_DCC_SCHEMAS).isEmpty())
+        QSKIP("without -DPALMER_DCC_SCHEMAS=DIR the certificates are not validated");
+    QFETCH(QString, path);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("dcc.xml");
+    saveBytes(file, dcc(evaluatedFile(path)));
+    QProcess xmllint;
+    xmllint.start("xmllint", {"--nonet", "--noout", "--schema", PALMER_DCC_SCHEMAS "/dcc_3_2_0.xsd", file});
+    QVERIFY(xmllint.waitForFinished(60'000));
+    QVERIFY2(xmllint.exitCode() == 0, xmllint.readAllStandardError().constData());
+}
+
+// The schema takes any text for a unit: prefixes, units and their powers as D-SI 2 names them.
+void DccTest::unitsAreThoseOfDSi() {
+    const QRegularExpression unit(
+        R"(^((\\(micro|milli|hecto|kilo))?\\(one|metre|second|minute|hour|kelvin|degree|arcsecond|arcminute|degreecelsius|pascal|percent)(\\tothe\{-?[1-9]\})?)+$)");
+    for (int quantity = 0; quantity <= static_cast<int>(Quantity::percent); ++quantity) {
+        const QString name = dsiUnit(static_cast<Quantity>(quantity));
+        QVERIFY2(unit.match(name).hasMatch(), qPrintable(name));
+    }
+    QCOMPARE(dsiUnit(Quantity::deviation), "\\micro\\metre");
+    QCOMPARE(dsiUnit(Quantity::angle), "\\degree");
+    QCOMPARE(dsiUnit(Quantity::angularDeviation), "\\arcsecond");
+    for (const QString &path : files()) {
+        for (const Numbers &numbers : numbersOf(dcc(evaluatedFile(path)))) {
+            for (const auto &[element, text] : numbers)
+                QVERIFY(!element.endsWith("unit") || unit.match(text).hasMatch());
+        }
+    }
+}
+
+void DccTest::whatIsMissingIsNamedInOneSentence() {
+    const Document nothing;
+    try {
+        requireForDcc(nothing, Language(Language::Id::english));
+        QFAIL("nothing is stated");
+    } catch (const Error &error) {
+        QCOMPARE(
+            Language(Language::Id::english).sentence(error.message),
+            "a digital calibration certificate must also state: the number of the report, the laboratory, "
+            "its "
+            "country, who authorises the report, the customer, the address of the customer, the place of the "
+            "tests, the date of the tests, the machine, its manufacturer, its serial number, a test");
+    }
+    Document document = readDocument(completeFile());
+    QCOMPARE(missingForDcc(document).size(), std::size_t(1));
+    QCOMPARE(missingForDcc(document).front().source, "its country");
+    document.report.laboratory.country = "FR";
+    QVERIFY(missingForDcc(document).empty());
+}
+
+// As on page 1 of a report: above an unmet requirement there is no verdict.
+void DccTest::conformityOfATestFollowsItsAccordance() {
+    const auto conformities = [](const QString &path) {
+        const QByteArray certificate = dcc(evaluatedFile(path));
+        const qsizetype results = certificate.lastIndexOf("</dcc:results>");
+        return certificate.mid(results).count("<dcc:conformity>");
+    };
+    const EvaluatedDocument evaluated = evaluatedFile(EXAMPLES "iso230-2-1988-example.palmer");
+    const Accordance accordance = evaluated.tests[0]->accordance();
+    const bool judged = (accordance == Accordance::yes || accordance == Accordance::partly) &&
+                        evaluated.tests[0]->verdict.has_value();
+    QCOMPARE(conformities(EXAMPLES "iso230-2-1988-example.palmer"), qsizetype(judged ? 1 : 0));
+}
+
+void DccTest::textsAreInBothLanguages() {
+    const QByteArray certificate = dcc(evaluatedFile(EXAMPLES "iso230-2-1988-example.palmer"));
+    QCOMPARE(certificate.count("lang=\"fr\""), certificate.count("lang=\"en\""));
+    QVERIFY(certificate.contains("<dcc:content lang=\"fr\">Essai de positionnement de l’axe"));
+    QVERIFY(certificate.contains("<dcc:content lang=\"en\">Positioning test of the"));
+}
+
+QTEST_GUILESS_MAIN(DccTest)
+
+#include "dcctest.moc"
