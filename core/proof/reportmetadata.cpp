@@ -20,6 +20,7 @@ constexpr QLatin1StringView rdf("http://www.w3.org/1999/02/22-rdf-syntax-ns#");
 constexpr QLatin1StringView dc("http://purl.org/dc/elements/1.1/");
 constexpr QLatin1StringView xmp("http://ns.adobe.com/xap/1.0/");
 constexpr QLatin1StringView pdfaId("http://www.aiim.org/pdfa/ns/id/");
+constexpr QLatin1StringView pdfuaId("http://www.aiim.org/pdfua/ns/id/");
 constexpr QLatin1StringView pdfaExtension("http://www.aiim.org/pdfa/ns/extension/");
 constexpr QLatin1StringView pdfaSchema("http://www.aiim.org/pdfa/ns/schema#");
 constexpr QLatin1StringView pdfaProperty("http://www.aiim.org/pdfa/ns/property#");
@@ -46,6 +47,9 @@ constexpr std::array ownProperties{
     OwnProperty{languageName, "Language of the report"},
     OwnProperty{selfTestName, "Result of the self-test of the program: passed, failed, not run"},
     OwnProperty{simulatedName, "Tests whose uncertainty was simulated, counted from 1"},
+};
+constexpr std::array uaProperties{
+    OwnProperty{QLatin1StringView("part"), "Part of ISO 14289 that the file conforms to"},
 };
 constexpr std::array viewProperties{
     OwnProperty{editionName, "Edition that the tests of its kind are evaluated under instead of their own"},
@@ -106,9 +110,10 @@ private:
     }
 
     void writeCommon(const ReportMetadata &metadata) {
-        beginDescription({{pdfaId, "pdfaid"}, {dc, "dc"}, {xmp, "xmp"}});
+        beginDescription({{pdfaId, "pdfaid"}, {pdfuaId, "pdfuaid"}, {dc, "dc"}, {xmp, "xmp"}});
         m_xml.writeTextElement(pdfaId, QStringLiteral("part"), QStringLiteral("3"));
-        m_xml.writeTextElement(pdfaId, QStringLiteral("conformance"), QStringLiteral("B"));
+        m_xml.writeTextElement(pdfaId, QStringLiteral("conformance"), QStringLiteral("A"));
+        m_xml.writeTextElement(pdfuaId, QStringLiteral("part"), QStringLiteral("1"));
         m_xml.writeTextElement(dc, QStringLiteral("format"), QStringLiteral("application/pdf"));
         if (!metadata.title.isEmpty())
             item(dc, "title", "Alt", metadata.title);
@@ -151,11 +156,11 @@ private:
         m_xml.writeEndElement();
     }
 
-    void describe(std::span<const OwnProperty> properties) {
+    void describe(std::span<const OwnProperty> properties, const char *type = "Text") {
         for (const OwnProperty &property : properties) {
             beginResource(rdf, QStringLiteral("li"));
             m_xml.writeTextElement(pdfaProperty, QStringLiteral("name"), property.name);
-            m_xml.writeTextElement(pdfaProperty, QStringLiteral("valueType"), QStringLiteral("Text"));
+            m_xml.writeTextElement(pdfaProperty, QStringLiteral("valueType"), QString::fromLatin1(type));
             m_xml.writeTextElement(pdfaProperty, QStringLiteral("category"), QStringLiteral("internal"));
             m_xml.writeTextElement(pdfaProperty, QStringLiteral("description"),
                                    QString::fromLatin1(property.description));
@@ -163,15 +168,23 @@ private:
         }
     }
 
+    void beginSchema(const char *name, QLatin1StringView uri, const char *prefix) {
+        beginResource(rdf, QStringLiteral("li"));
+        m_xml.writeTextElement(pdfaSchema, QStringLiteral("schema"), QString::fromLatin1(name));
+        m_xml.writeTextElement(pdfaSchema, QStringLiteral("namespaceURI"), uri);
+        m_xml.writeTextElement(pdfaSchema, QStringLiteral("prefix"), QString::fromLatin1(prefix));
+        beginBag(pdfaSchema, "property", "Seq");
+    }
+
     void writeSchema(const ReportMetadata &metadata) {
         beginDescription(
             {{pdfaExtension, "pdfaExtension"}, {pdfaSchema, "pdfaSchema"}, {pdfaProperty, "pdfaProperty"}});
         beginBag(pdfaExtension, "schemas", "Bag");
-        beginResource(rdf, QStringLiteral("li"));
-        m_xml.writeTextElement(pdfaSchema, QStringLiteral("schema"), QStringLiteral("Palmer report"));
-        m_xml.writeTextElement(pdfaSchema, QStringLiteral("namespaceURI"), own);
-        m_xml.writeTextElement(pdfaSchema, QStringLiteral("prefix"), QStringLiteral("palmer"));
-        beginBag(pdfaSchema, "property", "Seq");
+        beginSchema("PDF/UA identification schema", pdfuaId, "pdfuaid");
+        describe(uaProperties, "Integer");
+        endBag();
+        m_xml.writeEndElement();
+        beginSchema("Palmer report", own, "palmer");
         describe(ownProperties);
         if (!metadata.making.edition.isEmpty())
             describe(viewProperties);

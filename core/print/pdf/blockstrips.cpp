@@ -5,6 +5,7 @@
 #include "print/figures/drawkinds.h"
 #include "print/pdf/logo.h"
 #include "print/pdf/marks.h"
+#include "print/pdf/tags.h"
 
 #include <QPainter>
 #include <algorithm>
@@ -59,6 +60,19 @@ Strip strip(double height, std::function<void(QPainter &, QPointF)> draw) {
     result.height = height;
     result.draw = std::move(draw);
     return result;
+}
+
+/// The same strips as parts of one element of the structure.
+Strips tagged(const char *type, Strips strips) {
+    const auto of = std::make_shared<char>();
+    for (Strip &each : strips) {
+        if (each.draw)
+            each.draw = [type, of, draw = std::move(each.draw)](QPainter &painter, QPointF at) {
+                const Tag tag(type, of.get());
+                draw(painter, at);
+            };
+    }
+    return strips;
 }
 
 double heightOf(const Strips &strips) {
@@ -118,7 +132,12 @@ Strips keyValueStrips(const KeyValues &values, double width) {
         const auto add = [&](TextBlock key, TextBlock stands) {
             result.push_back(strip(
                 height, [=, key = std::move(key), stands = std::move(stands)](QPainter &painter, QPointF at) {
-                    key.draw(painter, at + QPointF(0, drop));
+                    const Tag item("/LI");
+                    {
+                        const Tag tag("/Lbl");
+                        key.draw(painter, at + QPointF(0, drop));
+                    }
+                    const Tag tag("/LBody");
                     stands.draw(painter, at + QPointF(left, 0));
                 }));
         };
@@ -135,7 +154,7 @@ Strips keyValueStrips(const KeyValues &values, double width) {
         if (first < result.size())
             result[first].gap = rowGap;
     }
-    return result;
+    return tagged("/L", std::move(result));
 }
 
 Strips headingStrips(const Heading &heading, double width) {
@@ -215,6 +234,14 @@ private:
     double m_height = 0;
 };
 
+/// `name`: whose picture it is, for readers who do not see it.
+void drawLogo(QPainter &painter, const QRectF &area, const Logo &logo, const QString &name) {
+    if (logo.empty())
+        return;
+    const Tag tag(painter, area, name);
+    logo.draw(painter, area);
+}
+
 /// Logo, name and address of the laboratory on the left, number and related data on the right.
 Strip letterhead(const TestHead &head, double width) {
     const Logo logo(head.logo);
@@ -238,12 +265,18 @@ Strip letterhead(const TestHead &head, double width) {
     };
     const double height = std::max({heightOfBoth(name, address), heightOfBoth(number, numberNotes),
                                     logoSize.height(), markSize.height()});
-    return strip(height, [=](QPainter &painter, QPointF at) {
+    return strip(height, [=, laboratory = head.laboratory,
+                          accreditation = head.accreditation](QPainter &painter, QPointF at) {
         const QPointF right = at + QPointF(width, 0);
-        logo.draw(painter, QRectF(at, logoSize));
-        mark.draw(painter, QRectF(right - QPointF(numberWidth + logoGap + markSize.width(), 0), markSize));
-        name.draw(painter, at + QPointF(logoRoom, 0));
-        address.draw(painter, at + QPointF(logoRoom, name.height() + nameGap), TextAlignment::left);
+        drawLogo(painter, QRectF(at, logoSize), logo, laboratory);
+        drawLogo(painter, QRectF(right - QPointF(numberWidth + logoGap + markSize.width(), 0), markSize),
+                 mark, accreditation);
+        {
+            const Tag tag("/P");
+            name.draw(painter, at + QPointF(logoRoom, 0));
+            address.draw(painter, at + QPointF(logoRoom, name.height() + nameGap), TextAlignment::left);
+        }
+        const Tag tag("/P");
         number.draw(painter, at, TextAlignment::right, width);
         numberNotes.draw(painter, right + QPointF(0, number.height() + nameGap), TextAlignment::right);
     });
@@ -269,14 +302,16 @@ Strips tallLetterhead(const TestHead &head, double width) {
     const Logo mark(head.mark);
     const QSizeF logoSize = logo.size({logoWidth, logoHeight});
     const QSizeF markSize = mark.size({logoWidth, logoHeight});
-    Strips result{strip(std::max(logoSize.height(), markSize.height()), [=](QPainter &painter, QPointF at) {
-        logo.draw(painter, QRectF(at, logoSize));
-        mark.draw(painter, QRectF(at + QPointF(width - markSize.width(), 0), markSize));
+    Strips result{strip(std::max(logoSize.height(), markSize.height()), [=, laboratory = head.laboratory,
+                                                                         accreditation = head.accreditation](
+                                                                            QPainter &painter, QPointF at) {
+        drawLogo(painter, QRectF(at, logoSize), logo, laboratory);
+        drawLogo(painter, QRectF(at + QPointF(width - markSize.width(), 0), markSize), mark, accreditation);
     })};
     const auto add = [&](const QString &text, const TextStyle &style) {
         if (text.isEmpty())
             return;
-        Strips lines = lineStrips(TextBlock(text, style, width));
+        Strips lines = tagged("/P", lineStrips(TextBlock(text, style, width)));
         lines.front().gap = nameGap;
         std::ranges::move(lines, std::back_inserter(result));
     };
@@ -302,6 +337,7 @@ Strips testHeadStrips(const TestHead &head, double width, double tallest) {
             lines = lineStrips(block);
         else
             lines.push_back(textStrip(std::move(block)));
+        lines = tagged(text == head.title ? "/H1" : "/P", std::move(lines));
         lines.front().gap = gap;
         std::ranges::move(lines, std::back_inserter(result));
     };
@@ -528,8 +564,10 @@ public:
     void draw(QPainter &painter, QPointF at) const {
         for (std::size_t c = 0; c < m_columns.size(); ++c) {
             const SignatureColumn &column = m_signatures.columns[c];
-            if (!column.heading.isEmpty())
+            if (!column.heading.isEmpty()) {
+                const Tag tag("/P");
                 signatureHeading(column.heading, m_widths[c]).draw(painter, at);
+            }
             QPointF top = at + QPointF(0, m_headings);
             for (std::size_t i = 0; i < m_columns[c].size(); ++i) {
                 drawLine(painter, top, column.lines[i], m_columns[c][i], m_heights[i]);
@@ -566,6 +604,7 @@ private:
 
     static void drawLine(QPainter &painter, QPointF at, const SignatureLine &line, const Line &made,
                          double height) {
+        const Tag tag("/P");
         const double bottom = at.y() + height - labelAbove - made.more();
         if (line.height > 0) { // the value is below the label
             made.label.draw(painter, at);
@@ -662,16 +701,22 @@ public:
         : m_width(width)
         , m_tallest(tallest) {}
 
-    Strips operator()(const Heading &heading) const { return headingStrips(heading, m_width); }
+    Strips operator()(const Heading &heading) const {
+        return tagged(heading.level == 1   ? "/H1"
+                      : heading.level == 2 ? "/H2"
+                                           : "/H3",
+                      headingStrips(heading, m_width));
+    }
     Strips operator()(const Paragraph &paragraph) const {
         if (paragraph.text.isEmpty())
             return {};
-        return lineStrips(TextBlock(paragraph.text,
-                                    paragraph.size == palmer::TextSize::small ? smallStyle : paragraphStyle,
-                                    m_width));
+        return tagged("/P",
+                      lineStrips(TextBlock(
+                          paragraph.text,
+                          paragraph.size == palmer::TextSize::small ? smallStyle : paragraphStyle, m_width)));
     }
     Strips operator()(const KeyValues &values) const { return keyValueStrips(values, m_width); }
-    Strips operator()(const Table &table) const { return tableStrips(table, m_width); }
+    Strips operator()(const Table &table) const { return tagged("/Table", tableStrips(table, m_width)); }
     Strips operator()(const SideBySide &columns) const {
         const double leftWidth = columns.leftWidth * mm;
         const double rightAt = leftWidth + columns.gap * mm;
@@ -700,6 +745,7 @@ public:
         const auto content = std::make_shared<Figure>(figure.figure);
         const auto drawOf = [content, width = figure.width * mm](double height) {
             return [content, size = QSizeF(width, height)](QPainter &painter, QPointF at) {
+                const Tag tag(painter, QRectF(at, size), *content);
                 drawFigure(painter, QRectF(at, size), *content, Medium::paper);
             };
         };
@@ -711,16 +757,21 @@ public:
         result.drawOf = drawOf;
         return {result};
     }
-    Strips operator()(const ResultsLegend &legend) const { return legendStrips(legend, m_width); }
+    Strips operator()(const ResultsLegend &legend) const {
+        return tagged("/P", legendStrips(legend, m_width));
+    }
     Strips operator()(const VerdictLine &line) const {
-        Strips result = verdictStrips(line, m_width);
+        Strips result = tagged("/P", verdictStrips(line, m_width));
         result.front().link = line.anchor;
         return result;
     }
-    Strips operator()(const FindingsBlock &findings) const { return findingStrips(findings, m_width); }
+    Strips operator()(const FindingsBlock &findings) const {
+        return tagged("/L", findingStrips(findings, m_width));
+    }
     Strips operator()(const Signatures &signatures) const { return signatureStrips(signatures, m_width); }
     Strips operator()(const EndMark &mark) const {
-        return {textStrip(TextBlock(mark.text, smallStyle, m_width), TextAlignment::centre, m_width)};
+        return tagged("/P",
+                      {textStrip(TextBlock(mark.text, smallStyle, m_width), TextAlignment::centre, m_width)});
     }
     Strips operator()(const RunningHead &running) const {
         Strip result;

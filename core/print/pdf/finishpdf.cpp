@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/finishpdf.h"
 
+#include "print/pdf/tagpdf.h"
+
 #include <QFile>
 #include <QStringList>
 #include <memory>
@@ -114,7 +116,10 @@ Handle destination(const std::vector<Handle> &pages, const PdfPlace &place) {
                              Handle::newReal(heightOf(page) - place.y, 2), Handle::newNull()});
 }
 
-void addLinks(QPDF &document, const std::vector<Handle> &pages, const std::vector<PdfLink> &links) {
+/// Returns the annotations.
+std::vector<Handle> addLinks(QPDF &document, const std::vector<Handle> &pages,
+                             const std::vector<PdfLink> &links) {
+    std::vector<Handle> annotations;
     for (const PdfLink &link : links) {
         Handle page = pages.at(static_cast<std::size_t>(link.page));
         const double height = heightOf(page);
@@ -126,8 +131,11 @@ void addLinks(QPDF &document, const std::vector<Handle> &pages, const std::vecto
         annotation.replaceKey("/Dest", destination(pages, link.target));
         if (!page.hasKey("/Annots"))
             page.replaceKey("/Annots", Handle::newArray());
-        page.getKey("/Annots").appendItem(document.makeIndirectObject(annotation));
+        annotation.replaceKey("/Contents", text(link.title));
+        annotations.push_back(document.makeIndirectObject(annotation));
+        page.getKey("/Annots").appendItem(annotations.back());
     }
+    return annotations;
 }
 
 /// Links the items of one level below `parent`, with `shown` of them and their children open.
@@ -189,7 +197,9 @@ QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
     root.removeKey("/Names");
     attach(document, properties.attachments, properties.metadata.date);
     const std::vector<Handle> &pages = document.getAllPages();
-    addLinks(document, pages, properties.links);
+    const std::vector<Handle> annotations = addLinks(document, pages, properties.links);
+    if (!properties.structure.empty())
+        tagPdf(document, properties, annotations);
     addBookmarks(document, pages, properties.bookmarks);
 
     QPDFWriter writer(document);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "print/pdf/tags.h"
 #include "proof/reportmetadata.h"
 
 #include <QByteArray>
@@ -43,6 +44,8 @@ struct PdfLink {
     int page = 0;
     QRectF area; ///< points from the top left corner
     PdfPlace target;
+    QString title;           ///< of the target
+    std::size_t element = 0; ///< of `PdfProperties::structure`
 };
 
 /// Metadata and embedded content of a PDF.
@@ -52,10 +55,12 @@ struct PdfProperties {
     std::vector<PdfAttachment> attachments;
     std::vector<PdfBookmark> bookmarks;
     std::vector<PdfLink> links;
+    std::vector<StructureElement> structure;
 };
 
 /// Removes everything from a PDF that depends on the clock or machine, and adds the properties: the same
-/// pages and properties give the same bytes. With an output intent in `pdf` the result is a PDF/A-3b. Throws
+/// pages and properties give the same bytes. With an output intent in `pdf` and the structure of what was
+/// drawn the result is a PDF/A-3a and a PDF/UA-1. Throws
 /// std::runtime_error if `pdf` is no PDF.
 [[nodiscard]] QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties);
 

@@ -3,6 +3,7 @@
 #include "print/pdf/pages.h"
 
 #include "print/pdf/strips.h"
+#include "print/pdf/tags.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -293,7 +294,7 @@ private:
             if (&strip != &content.strips.front())
                 y += wide ? wideGap(strip) : strip.gap;
             if (strip.draw)
-                page.parts.push_back({{leftMargin, y}, strip.draw});
+                page.parts.push_back({{leftMargin, y}, strip.draw, !strip.link.isEmpty()});
             if (strip.block >= 0)
                 addBookmark(page, static_cast<std::size_t>(strip.block), y);
             if (!strip.link.isEmpty())
@@ -637,8 +638,10 @@ void drawPage(QPainter &painter, const PrintedPage &page) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::TextAntialiasing);
-    for (const PagePart &part : page.parts)
+    for (const PagePart &part : page.parts) {
+        const LinkTag link(part.linked);
         part.draw(painter, part.place);
+    }
     painter.restore();
 }
 

@@ -18,6 +18,7 @@ namespace palmer {
 struct PagePart {
     QPointF place;
     std::function<void(QPainter &, QPointF)> draw;
+    bool linked = false; ///< one of the links of its page is its area
 };
 
 /// Beginning of a test or of a part about all tests (level 0), or of a section in it (1).

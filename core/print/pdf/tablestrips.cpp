@@ -3,6 +3,7 @@
 #include "print/pdf/strips.h"
 
 #include "print/pdf/marks.h"
+#include "print/pdf/tags.h"
 
 #include <QPainter>
 #include <algorithm>
@@ -143,6 +144,7 @@ struct PlacedText {
     double width = 0; ///< for the alignment
     TextAlignment alignment = TextAlignment::left;
     std::size_t line = 0; ///< first line in the row
+    std::size_t cell = 0; ///< index of its column
 };
 
 /// A row ready for drawing: texts, marks and pictures in reading order.
@@ -156,8 +158,9 @@ struct PrintedRow {
         QColor ink = Qt::black;
         std::size_t line = 0;
     };
-    std::vector<PlacedText> texts;
+    std::vector<PlacedText> texts; ///< by column
     std::vector<Sign> signs;
+    std::shared_ptr<const std::vector<CellTag>> cells = {}; ///< by column; null: no row of a table
     std::size_t lines = 1;
     std::size_t beside = 1; ///< rows that its tallest cell spans
     std::size_t besideLines = 1;
@@ -256,18 +259,35 @@ void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
             drawMark(painter, sign.mark, {at.x() + sign.x + markBox * mm / 2, middle}, markBox * mm,
                      sign.ink);
     }
-    for (const PlacedText &text : row.texts)
-        text.block.draw(painter, at + QPointF(text.x, static_cast<double>(text.line) * lineHeight),
-                        text.alignment, text.width);
+    auto text = row.texts.begin();
+    const auto drawTexts = [&](std::size_t cell) {
+        for (; text != row.texts.end() && text->cell <= cell; ++text)
+            text->block.draw(painter, at + QPointF(text->x, static_cast<double>(text->line) * lineHeight),
+                             text->alignment, text->width);
+    };
+    const Tag tag(row.cells ? "/TR" : "/LI", row.cells.get());
+    if (!row.cells) {
+        const Tag body("/LBody");
+        drawTexts(0);
+        return;
+    }
+    for (std::size_t i = 0; i < row.cells->size(); ++i) {
+        if ((*row.cells)[i].columns == 0)
+            continue;
+        const Tag cell((*row.cells)[i], &(*row.cells)[i]);
+        drawTexts(i);
+    }
 }
 
 PrintedRow lineOf(const PrintedRow &row, std::size_t index) {
     PrintedRow result;
     if (index == 0)
         result.signs = row.signs;
+    result.cells = row.cells;
     for (const PlacedText &text : row.texts) {
         if (index >= text.line && index - text.line < text.block.lineCount())
-            result.texts.push_back({text.block.line(index - text.line), text.x, text.width, text.alignment});
+            result.texts.push_back(
+                {text.block.line(index - text.line), text.x, text.width, text.alignment, 0, text.cell});
     }
     return result;
 }
@@ -373,6 +393,7 @@ public:
                 title.unit = TextBlock(column.unit, styled(false, noteGrey), room);
             title.alignment = textAlignment(column.alignment);
             title.x = place.left;
+            title.tag = {static_cast<int>(last - i) + 1, 1, "/Column"};
             title.width = places[last].right() - place.left;
             // Above numbers the line for units is kept free.
             const bool free = units && right && title.unit.empty() && !title.name.empty();
@@ -387,8 +408,9 @@ public:
             const std::size_t last = std::min(spanner.first + spanner.count, places.size()) - 1;
             const double left = places[spanner.first].left;
             const double length = places[last].right() - left;
-            m_spanners.push_back(
-                {spanner.first, {TextBlock(richText(spanner.title, true), cellStyle, length), left, length}});
+            m_spanners.push_back({spanner.first,
+                                  {TextBlock(richText(spanner.title, true), cellStyle, length), left, length},
+                                  {static_cast<int>(last - spanner.first) + 1, 1, "/Column"}});
             spannersHeight = std::max(spannersHeight, m_spanners.back().title.block.height());
             for (std::size_t i = spanner.first; i <= last; ++i)
                 underSpanners =
@@ -409,6 +431,10 @@ public:
         drawRule(painter, at + QPointF(0, m_height), m_width, headRule);
         const bool units = std::any_of(m_titles.begin(), m_titles.end(),
                                        [](const Title &title) { return !title.unit.empty(); });
+        std::optional<Tag> repeated;
+        if (!Tag::isFirst(this))
+            repeated.emplace(nullptr);
+        tagCells();
         const double bottom = at.y() + m_height - headBelow;
         const double unitHeight = textSize * cellStyle.leading;
         for (std::size_t i = 0; i < m_titles.size(); ++i) {
@@ -422,9 +448,11 @@ public:
             // Aligned at the bottom; above numbers the line for units is kept free.
             const bool free = units && (title.alignment == TextAlignment::right || !title.unit.empty());
             const double top = bottom - title.name.height() - (free ? unitHeight : 0);
+            const Tag tag(title.tag, &title);
             title.name.draw(painter, {at.x() + title.x, top}, title.alignment, title.width);
         }
         for (const Title &title : m_titles) {
+            const Tag tag(title.tag, &title);
             if (!title.unit.empty())
                 title.unit.draw(painter, {at.x() + title.x, bottom - title.unit.height()}, title.alignment,
                                 title.width);
@@ -432,7 +460,24 @@ public:
     }
 
 private:
+    /// Titles are drawn before units: the cells of both stand in the structure before.
+    void tagCells() const {
+        if (!m_spanners.empty()) {
+            const Tag row("/TR", &m_spanners);
+            for (std::size_t i = 0; i < m_titles.size(); ++i) {
+                const auto spanner = std::ranges::find(m_spanners, i, &HeadSpanner::first);
+                const Tag cell(spanner == m_spanners.end() ? CellTag() : spanner->tag,
+                               spanner == m_spanners.end() ? nullptr : &spanner->title);
+                i += spanner == m_spanners.end() ? 0 : static_cast<std::size_t>(spanner->tag.columns) - 1;
+            }
+        }
+        const Tag row("/TR", &m_titles);
+        for (std::size_t i = 0; i < m_titles.size(); i += static_cast<std::size_t>(m_titles[i].tag.columns))
+            const Tag cell(m_titles[i].tag, &m_titles[i]);
+    }
+
     void drawSpanner(QPainter &painter, QPointF at, const PlacedText &title) const {
+        const Tag tag("/TH", &title);
         title.block.draw(painter, at + QPointF(title.x, headAbove), TextAlignment::centre, title.width);
         drawRule(painter, at + QPointF(title.x, m_spannerRule), title.width, groupRule);
     }
@@ -440,6 +485,7 @@ private:
     struct HeadSpanner {
         std::size_t first = 0;
         PlacedText title;
+        CellTag tag = {};
     };
     struct Title {
         TextBlock name;
@@ -447,6 +493,7 @@ private:
         double x = 0;
         double width = 0;
         TextAlignment alignment = TextAlignment::left;
+        CellTag tag = {};
     };
 
     double m_width = 0;
@@ -454,6 +501,48 @@ private:
     double m_spannerRule = 0;
     std::vector<Title> m_titles;
     std::vector<HeadSpanner> m_spanners;
+};
+
+/// The cells of the rows of a table, one by one from the first.
+class CellTags {
+public:
+    explicit CellTags(const Table &table)
+        : m_byRow(table.rows.size() > mostRows)
+        , m_headless(table.headless)
+        , m_covered(table.columns.size()) {}
+
+    /// Long tables are told row by row: each is one cell.
+    std::shared_ptr<const std::vector<CellTag>> of(const std::vector<Cell> &cells) {
+        const int count = static_cast<int>(m_covered.size());
+        if (m_byRow) {
+            std::vector<CellTag> row(m_covered.size(), CellTag{0});
+            row.back() = {count};
+            return std::make_shared<const std::vector<CellTag>>(std::move(row));
+        }
+        std::vector<CellTag> row;
+        int spanned = 0;
+        for (std::size_t i = 0; i < m_covered.size(); ++i) {
+            if (m_covered[i] > 0 || spanned > 0) {
+                m_covered[i] -= m_covered[i] > 0 ? 1 : 0;
+                spanned -= spanned > 0 ? 1 : 0;
+                row.push_back({0});
+                continue;
+            }
+            const int columns = std::min(static_cast<int>(cells[i].columns), count - static_cast<int>(i));
+            const int rows = static_cast<int>(cells[i].rows);
+            row.push_back({columns, rows, m_headless && i == 0 ? "/Row" : nullptr});
+            m_covered[i] = rows - 1;
+            spanned = columns - 1;
+        }
+        return std::make_shared<const std::vector<CellTag>>(std::move(row));
+    }
+
+private:
+    static constexpr std::size_t mostRows = 2000;
+
+    bool m_byRow;
+    bool m_headless;
+    std::vector<int> m_covered; ///< rows by the cell above, by column
 };
 
 PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::vector<Place> &columns) {
@@ -468,13 +557,17 @@ PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::
         if (beforeNumber && TextBlock(richText(cell.text, cell.bold), cellStyle).width() > columns[i].width) {
             const double room = beginningOf(cells[i + 1], columns[i + 1]) - 2 * cellPadding - columns[i].left;
             row.texts.push_back(narrowText(cell, columns[i], std::max(room, columns[i].width)));
+            row.texts.back().cell = i;
             row.lines = std::max(row.lines, row.texts.back().block.lineCount());
             continue;
         }
         Place place = columns[i];
         if (cell.columns > 1)
             place.width = columns[std::min(i + cell.columns, columns.size()) - 1].right() - place.left;
+        const std::size_t before = row.texts.size();
         addCell(row, cell, column, place);
+        for (std::size_t k = before; k < row.texts.size(); ++k)
+            row.texts[k].cell = i;
     }
     return row;
 }
@@ -507,8 +600,11 @@ Strips tableStrips(const Table &table, double width) {
         strips.push_back(*head);
     }
     std::vector<PrintedRow> rows;
-    for (const auto &cells : table.rows)
+    CellTags tags(table);
+    for (const auto &cells : table.rows) {
         rows.push_back(rowOf(table, cells, columns));
+        rows.back().cells = tags.of(cells);
+    }
     const std::vector<double> below = roomBelow(rows);
     std::size_t together = 0; // rows before this one stay with the next
     for (std::size_t r = 0; r < table.rows.size(); ++r) {

@@ -4,6 +4,7 @@
 
 #include "language/papercharacters.h"
 #include "print/fonts.h"
+#include "print/pdf/tags.h"
 
 #include <QFontMetricsF>
 #include <QHash>
@@ -454,6 +455,7 @@ TextBlock TextBlock::line(std::size_t index) const {
 }
 
 void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment, double width) const {
+    markContent(painter);
     const QTransform points = painter.transform();
     painter.scale(1 / tenths, 1 / tenths);
     double baseline = topLeft.y() + ascent();

@@ -19,7 +19,8 @@ namespace {
 
 constexpr int dotsPerInch = 1200;
 
-QByteArray pagesAsPdf(const Pages &pages) {
+/// Also tells `tagging` what is drawn.
+QByteArray pagesAsPdf(const Pages &pages, Tagging &tagging) {
     QByteArray pdf;
     QBuffer buffer(&pdf);
     buffer.open(QIODevice::WriteOnly);
@@ -35,6 +36,7 @@ QByteArray pagesAsPdf(const Pages &pages) {
         if (!first)
             writer.newPage();
         first = false;
+        tagging.beginPage();
         painter.save();
         painter.scale(dotsPerInch / 72.0, dotsPerInch / 72.0);
         drawPage(painter, page);
@@ -56,19 +58,23 @@ PdfPlace placeOf(std::size_t page, double y) {
 }
 
 /// Adds the bookmarks of all pages, and the links to those with an anchor.
-void addNavigation(PdfProperties &properties, const Pages &pages) {
-    std::map<QString, PdfPlace> anchors;
+/// `elements`: of the links of all pages, in their order.
+void addNavigation(PdfProperties &properties, const Pages &pages, const std::vector<std::size_t> &elements) {
+    std::map<QString, std::pair<PdfPlace, QString>> anchors;
     for (std::size_t i = 0; i < pages.size(); ++i) {
         for (const Bookmark &bookmark : pages[i].bookmarks) {
             properties.bookmarks.push_back({bookmark.level, oneLine(bookmark.title), placeOf(i, bookmark.y)});
             if (!bookmark.anchor.isEmpty())
-                anchors.emplace(bookmark.anchor, placeOf(i, bookmark.y));
+                anchors.emplace(bookmark.anchor, std::pair(placeOf(i, bookmark.y), oneLine(bookmark.title)));
         }
     }
+    auto element = elements.begin();
     for (std::size_t i = 0; i < pages.size(); ++i) {
         for (const PageLink &link : pages[i].links) {
+            const std::size_t own = *element++;
             if (const auto target = anchors.find(link.anchor); target != anchors.end())
-                properties.links.push_back({static_cast<int>(i), link.area, target->second});
+                properties.links.push_back(
+                    {static_cast<int>(i), link.area, target->second.first, target->second.second, own});
         }
     }
 }
@@ -103,8 +109,11 @@ void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAtta
                            report.making};
     properties.xmp = xmpPacket(properties.metadata);
     properties.attachments = attachments;
-    addNavigation(properties, pages);
-    const QByteArray pdf = finishPdf(pagesAsPdf(pages), properties);
+    Tagging tagging(Language::fromName(report.language).value_or(Language(Language::Id::english)));
+    const QByteArray drawn = pagesAsPdf(pages, tagging);
+    properties.structure = tagging.elements();
+    addNavigation(properties, pages, tagging.links());
+    const QByteArray pdf = finishPdf(drawn, properties);
     if (device.write(pdf) != pdf.size())
         throw Error(
             Error::Kind::unwritable,

@@ -10,12 +10,11 @@
 
 namespace palmer {
 
-/// Writes the report as a PDF/A-3b: vectors and text, embedded fonts, with title, language, bookmarks and
-/// links; its test file, the `results` (of attachedResults) and the `certificate` (of dcc; both may be empty)
-/// as associated files. The same
-/// report gives the same bytes at any time, place and locale, provided
-/// QHashSeed::setDeterministicGlobalSeed() was called before the QApplication. Throws Error(unwritable) if
-/// the device does not accept all bytes.
+/// Writes the report as a PDF/A-3a and PDF/UA-1: tagged vectors and text, embedded fonts, with title,
+/// language, bookmarks and links; its test file, the `results` (of attachedResults) and the `certificate` (of
+/// dcc; both may be empty) as associated files. The same report gives the same bytes at any time, place and
+/// locale, provided QHashSeed::setDeterministicGlobalSeed() was called before the QApplication. Throws
+/// Error(unwritable) if the device does not accept all bytes.
 void writePdf(const Report &report, QIODevice &device, const QByteArray &results = {},
               const QByteArray &certificate = {});
 
