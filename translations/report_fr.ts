@@ -9308,7 +9308,7 @@
     </message>
     <message>
         <source>who authorises the report</source>
-        <translation>la personne qui autorise le rapport</translation>
+        <translation>personne qui autorise le rapport</translation>
     </message>
     <message>
         <source>its serial number</source>
@@ -9401,6 +9401,38 @@
     <message>
         <source>no results</source>
         <translation>aucun résultat</translation>
+    </message>
+    <message>
+        <source>place of the tests</source>
+        <translation>lieu des essais</translation>
+    </message>
+    <message>
+        <source>number of the report</source>
+        <translation>numéro du rapport</translation>
+    </message>
+    <message>
+        <source>who calibrated each instrument</source>
+        <translation>organisme d’étalonnage de chaque instrument</translation>
+    </message>
+    <message>
+        <source>condition of the machine</source>
+        <translation>état de la machine</translation>
+    </message>
+    <message>
+        <source>customer with address</source>
+        <translation>client, avec son adresse</translation>
+    </message>
+    <message>
+        <source>uncertainty of the results</source>
+        <translation>incertitude des résultats</translation>
+    </message>
+    <message>
+        <source>date of issue</source>
+        <translation>date d’émission</translation>
+    </message>
+    <message>
+        <source>address of the laboratory</source>
+        <translation>adresse du laboratoire</translation>
     </message>
 </context>
 </TS>

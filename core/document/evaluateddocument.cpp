@@ -90,6 +90,14 @@ Surroundings surroundings(const Document &document, const Test &test) {
     result.reportDate = document.report.date;
     result.performedFrom = document.report.performedFrom;
     result.performedTo = document.report.performedTo;
+    const ReportHead &head = document.report;
+    if (!head.laboratory.accreditation.empty())
+        result.accredited = {!head.laboratory.address.empty(),
+                             !head.number.empty(),
+                             head.date.has_value(),
+                             !head.place.empty(),
+                             !head.customer.name.empty() && !head.customer.address.empty(),
+                             !head.authorisedBy.name.empty()};
     for (const std::string &id : test.instruments) {
         const auto found = std::ranges::find(document.instruments, id, &Instrument::id);
         if (found != document.instruments.end())
@@ -106,8 +114,8 @@ bool sameContent(const Surroundings &a, const Surroundings &b) {
            a.repeated == b.repeated && a.adjustmentsStated == b.adjustmentsStated &&
            a.picturesReadable == b.picturesReadable && a.reportDate == b.reportDate &&
            a.performedFrom == b.performedFrom && a.performedTo == b.performedTo &&
-           a.environmentalVariation == b.environmentalVariation && a.simulation == b.simulation &&
-           a.simulationOutdated == b.simulationOutdated &&
+           a.accredited == b.accredited && a.environmentalVariation == b.environmentalVariation &&
+           a.simulation == b.simulation && a.simulationOutdated == b.simulationOutdated &&
            std::ranges::equal(a.instruments, b.instruments,
                               [](const Instrument *x, const Instrument *y) { return *x == *y; });
 }

@@ -95,6 +95,21 @@ std::optional<Message> driftTestOfNoUse(const Case &test) {
                    {*drift}};
 }
 
+/// The certificate is one of an accredited laboratory.
+template <class Case>
+bool accredited(const Case &test) {
+    return test.surroundings.accredited.has_value();
+}
+template <auto member, class Case>
+bool inHead(const Case &test) {
+    return (*test.surroundings.accredited).*member;
+}
+template <class Case>
+bool hasUncertainty(const Case &test) {
+    const UncertaintyMethod *method = methodOf(test.test);
+    return method && *method != UncertaintyMethod::none;
+}
+
 // clang-format off
 template <class Case>
 inline constexpr std::array checkTable{
@@ -105,6 +120,15 @@ inline constexpr std::array checkTable{
     RequirementOf<Case>{"calibrationDue", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, unless<calibrationNotValid<Case>>, {}, {}, {"instruments.calibrationDue"}},
     RequirementOf<Case>{"dates", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, unless<datesContradict<Case>>, {}, {}, {"date"}},
     RequirementOf<Case>{"driftTest", Source::program, "", Grade::note, Subject::uncertainty, nullptr, unless<driftTestOfNoUse<Case>>, {}, {}, {"uncertainty.driftTest"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::laboratoryAddress, Case>>, REPORT_TEXT("report", "address of the laboratory"), {}, {"report.laboratory.address"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::number, Case>>, REPORT_TEXT("report", "number of the report"), {}, {"report.number"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::issueDate, Case>>, REPORT_TEXT("report", "date of issue"), {}, {"report.date"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::place, Case>>, REPORT_TEXT("report", "place of the tests"), {}, {"report.place"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::customer, Case>>, REPORT_TEXT("report", "customer with address"), {}, {"report.customer.name", "report.customer.address"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::authorised, Case>>, REPORT_TEXT("report", "who authorises the report"), {}, {"report.authorisedBy.name"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::machine, accredited<Case>, stating<stated::ofMachine<&Machine::condition, Case>>, REPORT_TEXT("report", "condition of the machine"), {}, {"machine.condition"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::instruments, accredited<Case>, stating<stated::ofInstruments<&Instrument::calibratedBy, Case>>, REPORT_TEXT("report", "who calibrated each instrument"), {}, {"instruments.calibratedBy"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::uncertainty, accredited<Case>, stating<hasUncertainty<Case>>, REPORT_TEXT("report", "uncertainty of the results"), {}, {"uncertainty.method"}},
 };
 
 template <class Case>

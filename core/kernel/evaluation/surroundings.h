@@ -11,6 +11,18 @@
 
 namespace palmer {
 
+/// What the head of a report states of what a certificate of an accredited laboratory has.
+struct StatedHead {
+    bool laboratoryAddress = false;
+    bool number = false;
+    bool issueDate = false;
+    bool place = false;
+    bool customer = false; ///< with its address
+    bool authorised = false;
+
+    bool operator==(const StatedHead &) const = default;
+};
+
 /// Parts of the file outside a test that its evaluation uses. Owns nothing: valid as long as the document.
 struct Surroundings {
     const Machine *machine = nullptr;
@@ -25,6 +37,7 @@ struct Surroundings {
     std::optional<std::string> reportDate;    ///< YYYY-MM-DD, like the two below
     std::optional<std::string> performedFrom; ///< when the tests of the report were made
     std::optional<std::string> performedTo;
+    std::optional<StatedHead> accredited;     ///< null: the laboratory states no accreditation
     std::optional<double> environmentalVariation; ///< range of the named drift test, mm or degrees
     std::shared_ptr<const Simulation> simulation; ///< run for the test; null: none
     bool simulationOutdated = false;              ///< the test was edited since

@@ -268,11 +268,13 @@ Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
         const bool ofPath = std::ranges::any_of(part.results.paths, [&](const EvaluatedPath &path) {
             return path.index == parameter.index && isOf(options, path);
         });
-        if (parameter.value && shown && ofPath)
-            table.rows.push_back(
-                {boldCell(symbolPhrase(term.symbol, parameter.index)),
-                 withUnit(printedNumbers(parameter, part.test, part.document(), write.language()).value,
-                          term.quantity, write.language())});
+        if (!parameter.value || !shown || !ofPath)
+            continue;
+        const PrintedNumbers printed =
+            printedNumbers(parameter, part.test, part.document(), write.language());
+        table.rows.push_back({boldCell(symbolPhrase(term.symbol, parameter.index)),
+                              withUnit(joined({printed.value, printed.uncertainty}, QStringLiteral(" ± ")),
+                                       term.quantity, write.language())});
     }
     return table;
 }

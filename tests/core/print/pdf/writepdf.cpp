@@ -359,7 +359,7 @@ void WritePdf::isArchivalWithItsData() {
     const QString xmp = QString::fromUtf8(reinterpret_cast<const char *>(packet->getBuffer()),
                                           static_cast<qsizetype>(packet->getSize()));
     for (const QString &expected :
-         {u"<pdfaid:part>3</pdfaid:part>"_s, u"<pdfaid:conformance>B</pdfaid:conformance>"_s,
+         {u"<pdfaid:part>3</pdfaid:part>"_s, u"<pdfaid:conformance>A</pdfaid:conformance>"_s,
           report.title.toHtmlEscaped(), u"<xmp:CreatorTool>Palmer</xmp:CreatorTool>"_s,
           u"<pdfaSchema:prefix>palmer</pdfaSchema:prefix>"_s, u"<rdf:li>%1</rdf:li>"_s.arg(report.language)})
         QVERIFY2(xmp.contains(expected), qPrintable(expected));
