@@ -9303,36 +9303,16 @@
         <translation>Les incertitudes étendues sont évaluées selon le GUM (JCGM 100) et indiquées avec le facteur conventionnel k = 2, soit une probabilité de couverture d’environ 95 %&#x202f;; celles obtenues par simulation (JCGM 101) sont la moitié du plus petit intervalle contenant 95,45 %.</translation>
     </message>
     <message>
-        <source>its manufacturer</source>
-        <translation>son constructeur</translation>
-    </message>
-    <message>
         <source>who authorises the report</source>
-        <translation>personne qui autorise le rapport</translation>
-    </message>
-    <message>
-        <source>its serial number</source>
-        <translation>son numéro de série</translation>
-    </message>
-    <message>
-        <source>the date of the tests</source>
-        <translation>la date des essais</translation>
+        <translation>la personne qui autorise le rapport</translation>
     </message>
     <message>
         <source>what to write: readings and results, a digital calibration certificate, or a compensation table</source>
         <translation>ce qu’il faut écrire&#xa0;: relevés et résultats, certificat d’étalonnage numérique ou table de compensation</translation>
     </message>
     <message>
-        <source>the machine</source>
-        <translation>la machine</translation>
-    </message>
-    <message>
         <source>expected a country as two capital letters (ISO 3166-1), as FR</source>
         <translation>pays attendu en deux lettres capitales (ISO 3166-1), comme FR</translation>
-    </message>
-    <message>
-        <source>the customer</source>
-        <translation>le client</translation>
     </message>
     <message>
         <source>a digital calibration certificate must also state: %1</source>
@@ -9347,24 +9327,12 @@
         <translation>le certificat d’étalonnage numérique joint au PDF n’est pas celui qui découle des données</translation>
     </message>
     <message>
-        <source>the laboratory</source>
-        <translation>le laboratoire</translation>
-    </message>
-    <message>
         <source>a test</source>
         <translation>un essai</translation>
     </message>
     <message>
         <source>Scope</source>
         <translation>Portée</translation>
-    </message>
-    <message>
-        <source>the place of the tests</source>
-        <translation>le lieu des essais</translation>
-    </message>
-    <message>
-        <source>the address of the customer</source>
-        <translation>l’adresse du client</translation>
     </message>
     <message>
         <source>certificate %1</source>
@@ -9381,14 +9349,6 @@
     <message>
         <source>calibrated by %1</source>
         <translation>étalonné par %1</translation>
-    </message>
-    <message>
-        <source>the number of the report</source>
-        <translation>le numéro du rapport</translation>
-    </message>
-    <message>
-        <source>its country</source>
-        <translation>son pays</translation>
     </message>
     <message>
         <source>Deviations from the method</source>
@@ -9433,6 +9393,14 @@
     <message>
         <source>address of the laboratory</source>
         <translation>adresse du laboratoire</translation>
+    </message>
+    <message>
+        <source>name of the laboratory</source>
+        <translation>nom du laboratoire</translation>
+    </message>
+    <message>
+        <source>country of the laboratory</source>
+        <translation>pays du laboratoire</translation>
     </message>
 </context>
 </TS>

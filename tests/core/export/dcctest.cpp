@@ -205,16 +205,15 @@ void DccTest::whatIsMissingIsNamedInOneSentence() {
         requireForDcc(nothing, Language(Language::Id::english));
         QFAIL("nothing is stated");
     } catch (const Error &error) {
-        QCOMPARE(
-            Language(Language::Id::english).sentence(error.message),
-            "a digital calibration certificate must also state: the number of the report, the laboratory, "
-            "its "
-            "country, who authorises the report, the customer, the address of the customer, the place of the "
-            "tests, the date of the tests, the machine, its manufacturer, its serial number, a test");
+        QCOMPARE(Language(Language::Id::english).sentence(error.message),
+                 "a digital calibration certificate must also state: number of the report, name of the "
+                 "laboratory, country of the laboratory, who authorises the report, customer with address, "
+                 "place of the tests, date of the test, name of the machine, manufacturer of the machine, "
+                 "serial number of the machine, a test");
     }
     Document document = readDocument(completeFile());
     QCOMPARE(missingForDcc(document).size(), std::size_t(1));
-    QCOMPARE(missingForDcc(document).front().source, "its country");
+    QCOMPARE(missingForDcc(document).front().source, "country of the laboratory");
     document.report.laboratory.country = "FR";
     QVERIFY(missingForDcc(document).empty());
 }
