@@ -9383,10 +9383,6 @@
         <translation>client, avec son adresse</translation>
     </message>
     <message>
-        <source>uncertainty of the results</source>
-        <translation>incertitude des résultats</translation>
-    </message>
-    <message>
         <source>date of issue</source>
         <translation>date d’émission</translation>
     </message>

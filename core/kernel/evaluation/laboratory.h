@@ -104,12 +104,6 @@ template <auto member, class Case>
 bool inHead(const Case &test) {
     return (*test.surroundings.accredited).*member;
 }
-template <class Case>
-bool hasUncertainty(const Case &test) {
-    const UncertaintyMethod *method = methodOf(test.test);
-    return method && *method != UncertaintyMethod::none;
-}
-
 // clang-format off
 template <class Case>
 inline constexpr std::array checkTable{
@@ -128,7 +122,6 @@ inline constexpr std::array checkTable{
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::authorised, Case>>, REPORT_TEXT("report", "who authorises the report"), {}, {"report.authorisedBy.name"}},
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::machine, accredited<Case>, stating<stated::ofMachine<&Machine::condition, Case>>, REPORT_TEXT("report", "condition of the machine"), {}, {"machine.condition"}},
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::instruments, accredited<Case>, stating<stated::ofInstruments<&Instrument::calibratedBy, Case>>, REPORT_TEXT("report", "who calibrated each instrument"), {}, {"instruments.calibratedBy"}},
-    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::uncertainty, accredited<Case>, stating<hasUncertainty<Case>>, REPORT_TEXT("report", "uncertainty of the results"), {}, {"uncertainty.method"}},
 };
 
 template <class Case>

@@ -354,7 +354,11 @@ private:
         pageNumber.replace(QLatin1String("%2"), QString::number(count));
         const TextBlock centre = elided(m_report.footerCentre, m_width / 2);
         const TextBlock right(pageNumber, runningStyle);
-        const TextBlock left = elided(m_report.footerLeft, (m_width - centre.width()) / 2 - 3 * mm);
+        const double room = (m_width - centre.width()) / 2 - 3 * mm;
+        TextBlock left(m_report.footerLeft, runningStyle, room); // long numbers whole, if they can be
+        constexpr std::size_t mostLines = 3;
+        if (left.lineCount() > mostLines)
+            left = elided(m_report.footerLeft, room);
         page.parts.push_back(
             {{leftMargin, m_size.height() - footerRule}, [=, width = m_width](QPainter &painter, QPointF at) {
                  drawRule(painter, at, width, headRule, ruleGrey);

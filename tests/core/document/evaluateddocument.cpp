@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -125,6 +126,44 @@ private slots:
                  evaluate(document).tests[0]->parameters.size());
     }
 
+    /// Notes of the laboratory, and only where it states an accreditation.
+    void anAccreditedLaboratoryIsToldWhatItsCertificateLacks() {
+        Document document = *documentOf({axisTest()});
+        document.instruments.push_back({"laser"});
+        editTest(document, 0, [](Test &test) { test.instruments = {"laser"}; });
+        const auto lacking = [&] {
+            std::set<std::string> keys;
+            for (const Finding &finding :
+                 evaluate(std::make_shared<const Document>(document)).tests[0]->findings) {
+                if (finding.id == std::string_view("accredited") && finding.source == Source::laboratory &&
+                    !finding.state)
+                    keys.insert(finding.keys.front());
+            }
+            return keys;
+        };
+        QVERIFY(lacking().empty());
+        document.report.laboratory.accreditation = "2-0001";
+        const std::pair<const char *, Edit> statements[]{
+            {"report.laboratory.address", [](Document &d) { d.report.laboratory.address = "Street 1"; }},
+            {"report.number", [](Document &d) { d.report.number = "R-1"; }},
+            {"report.date", [](Document &d) { d.report.date = "2026-11-20"; }},
+            {"report.place", [](Document &d) { d.report.place = "Hall 2"; }},
+            {"report.customer.name",
+             [](Document &d) {
+                 d.report.customer = {"Customer", "Street 2"};
+             }},
+            {"report.authorisedBy.name", [](Document &d) { d.report.authorisedBy.name = "B. Durand"; }},
+            {"machine.condition", [](Document &d) { d.machine.condition = "new"; }},
+            {"instruments.calibratedBy", [](Document &d) { d.instruments[0].calibratedBy = "Institute"; }},
+        };
+        QCOMPARE(lacking().size(), std::size(statements));
+        for (const auto &[key, state] : statements) {
+            QVERIFY2(lacking().contains(key), key);
+            state(document);
+            QVERIFY2(!lacking().contains(key), key);
+        }
+    }
+
     void onlyWhatAnEvaluationSeesMakesItAnew_data() {
         QTest::addColumn<Edit>("edit");
         QTest::addColumn<bool>("kept");
@@ -141,6 +180,7 @@ private slots:
         row("the date of the report", false, [](Document &d) { d.report.date = "2026-01-02"; });
         row("performed from", false, [](Document &d) { d.report.performedFrom = "2026-01-01"; });
         row("performed to", false, [](Document &d) { d.report.performedTo = "2026-01-01"; });
+        row("an accreditation", false, [](Document &d) { d.report.laboratory.accreditation = "2"; });
         row("adjustments", false, [](Document &d) { d.report.adjustments = "screw"; });
         row("a logo that is none", false, [](Document &d) { d.report.laboratory.logo = "AAAA"; });
         row("a mark that is none", false, [](Document &d) { d.report.laboratory.mark = "AAAA"; });

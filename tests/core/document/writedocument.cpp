@@ -16,6 +16,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 
@@ -149,6 +150,38 @@ private slots:
         QVERIFY(written.contains("\"version\": 2"));
         QVERIFY(written.contains("\"allReadings\", \"diagnosis\""));
         QVERIFY(readDocument(written) == document);
+    }
+
+    void whatCertificatesStateIsOfVersionThree_data() {
+        QTest::addColumn<std::function<void(Document &)>>("state");
+        const auto row = [](const char *name, std::function<void(Document &)> state) {
+            QTest::newRow(name) << std::move(state);
+        };
+        row("country", [](Document &d) { d.report.laboratory.country = "FR"; });
+        row("contact", [](Document &d) { d.report.customer.contact = "A. Martin"; });
+        row("reason of the revision", [](Document &d) { d.report.revisionReason = "wrong date"; });
+        row("deviations from the method", [](Document &d) { d.report.deviationsFromMethod = "one run"; });
+        row("rounding", [](Document &d) { d.report.rounding = Rounding::twoDigits; });
+        row("traceability", [](Document &d) {
+            d.instruments.resize(1);
+            d.instruments[0].traceability.accreditation = "2-0001";
+        });
+    }
+    void whatCertificatesStateIsOfVersionThree() {
+        QFETCH(const std::function<void(Document &)>, state);
+        Document document;
+        state(document);
+        const QByteArray written = writeDocument(document);
+        QVERIFY(written.contains("\"version\": 3"));
+        QVERIFY(readDocument(written) == document);
+    }
+
+    void nullIsNotStated() {
+        QVERIFY(readDocument(R"({"format": "palmer test report", "version": 3, "instruments": [
+            {"traceability": null}, {"traceability": {"laboratory": null}}], "report": {"rounding": null,
+            "revisionReason": null, "deviationsFromMethod": null, "laboratory": {"country": null},
+            "customer": {"contact": null}}})")
+                    .report == ReportHead());
     }
 
     /// Older programs take no null for a word: the key is left out.

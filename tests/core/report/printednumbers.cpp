@@ -118,6 +118,7 @@ private slots:
     void examples();
     void printedNumbersGiveTheVerdict();
     void theEndOfTheBandLeavesTheValueOnItsSide();
+    void twoDigitsOfUncertainty();
     void noMoreDigitsThanNeeded();
     void limitsAsEntered();
     void limitOfF();
@@ -208,7 +209,8 @@ void PrintedNumbersTest::printedNumbersGiveTheVerdict() {
         const Verdict verdict = verdictOf(parameter, rule);
         ++verdicts[static_cast<int>(verdict)];
         const PrintedNumbers numbers =
-            printedNumbers(parameter, rule, std::nullopt, random() % 2 ? english : french);
+            printedNumbers(parameter, rule, std::nullopt, random() % 2 ? english : french,
+                           i % 2 ? Rounding::twoDigits : Rounding::palmer);
         const QString shown = numbers.value + u' ' + numbers.uncertainty + u" against "_s + numbers.limit +
                               u", factor "_s + QString::number(rule.guardFactor);
         QVERIFY2(readersVerdict(numbers, bound, rule, QString::number(rule.guardFactor)) == verdict,
@@ -249,6 +251,20 @@ void PrintedNumbersTest::theEndOfTheBandLeavesTheValueOnItsSide() {
         QVERIFY(std::abs(number(reach) - number(end)) <= 0.5001 * std::pow(10, -reach.decimals));
     }
     QVERIFY(beyond > 5'000 && beyond < 19'000);
+}
+
+void PrintedNumbersTest::twoDigitsOfUncertainty() {
+    const auto printed = [](double value, double limit, double uncertainty,
+                            std::optional<double> resolution) {
+        const PrintedNumbers numbers =
+            printedNumbers(result(value / 1000, limit / 1000, uncertainty / 1000, Bound::magnitude),
+                           DecisionRule(), resolution, Language(Language::Id::english), Rounding::twoDigits);
+        return (QStringList{numbers.value, numbers.uncertainty, numbers.limit}).join(u'|');
+    };
+    QCOMPARE(printed(16.23, 30, 14.46, {}), u"16|14|30"_s);
+    QCOMPARE(printed(16.234, 30, 1.446, 0.001), u"16.2|1.4|30"_s); // whatever the resolution is
+    QCOMPARE(printed(16.234, 30, 0.0996, 0.001), u"16.23|0.10|30"_s);
+    QCOMPARE(printed(30.2, 30, 14.46, {}), u"30.2|14|30"_s); // “30” would hide that it is exceeded
 }
 
 void PrintedNumbersTest::noMoreDigitsThanNeeded() {

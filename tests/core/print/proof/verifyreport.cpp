@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/print/pdf/reports.h"
 #include "core/print/proof/forgery.h"
+#include "export/dcc.h"
 
 #include <QGuiApplication>
 #include <QHashSeed>
@@ -85,6 +86,7 @@ private slots:
     void whatIsAddedIsNamed_data();
     void whatIsAddedIsNamed();
     void whatStandsBesideThePagesFollowsToo();
+    void aCertificateFollowsToo();
     void aSignatureDoesNotDisturb();
     void aSimulationIsRunAgain();
     void whatIsNoReportIsRefused();
@@ -325,6 +327,37 @@ void VerifyReport::whatStandsBesideThePagesFollowsToo() {
         page.replaceKey("/UserUnit", Handle::newInteger(2));
     }));
     QVERIFY2(english(unit).contains(u"UserUnit"_s), qPrintable(english(unit)));
+}
+
+void VerifyReport::aCertificateFollowsToo() {
+    Document document = storedDocument(u"limits-2006"_s);
+    ReportHead &head = document.report;
+    head.number = "R-1";
+    head.laboratory.name = "Laboratory";
+    head.laboratory.country = "FR";
+    head.authorisedBy.name = "B. Durand";
+    head.customer = {"Customer", "Street 1"};
+    head.place = "Hall 2";
+    head.performedFrom = "2026-11-20";
+    document.machine.name = document.machine.manufacturer = document.machine.serialNumber = "M1";
+    const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+    const Report report = composeReport(evaluated, Language(Language::Id::french),
+                                        {u"Palmer " PALMER_VERSION ""_s, true, {}, {}});
+    const auto written = [&](const QByteArray &certificate) {
+        QBuffer buffer;
+        buffer.open(QIODevice::WriteOnly);
+        writePdf(report, buffer, attachedResults(evaluated), certificate);
+        return buffer.data();
+    };
+    const QByteArray certificate = dcc(evaluated);
+    const Verification result = verified(written(certificate));
+    QVERIFY2(result.identical, qPrintable(english(result)));
+    QByteArray forged = certificate;
+    forged.replace("<dcc:conformity>", "<dcc:conformity> ");
+    QVERIFY(forged != certificate);
+    const Verification other = verified(written(forged));
+    QVERIFY(!other.follows());
+    QVERIFY(english(other).contains(u"the digital calibration certificate in the PDF is not the one"_s));
 }
 
 void VerifyReport::aSignatureDoesNotDisturb() {
