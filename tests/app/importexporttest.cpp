@@ -58,6 +58,7 @@ private slots:
     void readsMeasurementFilesWhereverFilesStand();
     void exportsEveryForm_data();
     void exportsEveryForm();
+    void namesWhatACertificateLacks();
     void asksForWhatATableOwes();
     void asksForASignThatWasAssumed();
     void inventsNoDirection();
@@ -211,6 +212,16 @@ void ImportExportTest::exportsEveryForm_data() {
     QTest::newRow("CSV with comma") << QStringList{"--as", "csv", "--decimal-mark", "comma"}
                                     << "2;100;0,0002;";
     QTest::newRow("JSON") << QStringList{"--as", "json"} << R"("approach": "positive")";
+    QStringList stated{"--as", "dcc"};
+    for (const char *statement :
+         {"report.number=R-1", "report.place=Hall 2", "report.performedFrom=2026-11-20",
+          "report.laboratory.name=Laboratory", "report.laboratory.country=FR",
+          "report.customer.name=Customer", "report.customer.address=Street 1",
+          "report.authorisedBy.name=B. Durand", "machine.name=M1", "machine.manufacturer=Maker",
+          "machine.serialNumber=123"})
+        stated << "--set" << statement;
+    QTest::newRow("digital calibration certificate")
+        << stated << "<dcc:uniqueIdentifier>R-1</dcc:uniqueIdentifier>";
     QTest::newRow("LinuxCNC") << QStringList{"--as", "linuxcnc", "--per-direction"} << "0 -0.0025 0.0017\n";
     QTest::newRow("Weihong") << QStringList{"--as", "weihong", "--per-direction"}
                              << "unit = mm\n[X]\n0, 0.0025, -0.0017\n";
@@ -234,6 +245,19 @@ void ImportExportTest::exportsEveryForm() {
         run(QStringList{"export", DATA "rtl/typical.rtl", "--accept", "-o", at("out")} + options);
     QCOMPARE(QString::fromUtf8(contents(at("out"))), result.out);
     QVERIFY(saved.out.isEmpty());
+}
+
+void ImportExportTest::namesWhatACertificateLacks() {
+    const QString file = at("certificate.xml");
+    const Result result = run({"export", DATA "rtl/typical.rtl", "--accept", "--as", "dcc", "-o", file,
+                               "--set", "report.number=R-1", "--language", "fr"});
+    QCOMPARE(result.code, 3);
+    QCOMPARE(result.err.trimmed().count('\n'), 0);
+    QVERIFY2(result.err.contains("un certificat d’étalonnage numérique doit aussi indiquer") &&
+                 result.err.contains("pays du laboratoire") && !result.err.contains("numéro du rapport"),
+             qPrintable(result.err));
+    QVERIFY(!QFile::exists(file));
+    QCOMPARE(run({"export", DATA "rtl/typical.rtl", "--accept", "--as", "dcc", "-o", at("c.csv")}).code, 2);
 }
 
 void ImportExportTest::asksForWhatATableOwes() {

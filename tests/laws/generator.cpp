@@ -132,6 +132,8 @@ Json Generator::value(const Json &given, const std::string &key) {
             if (pattern.find("[0-9]{4}") != std::string::npos)
                 return "20" + std::to_string(20 + below(7)) + "-0" + std::to_string(1 + below(9)) + "-1" +
                        std::to_string(below(10));
+            if (pattern.find("[A-Z]{2}") != std::string::npos)
+                return chance(0.5) ? "FR" : "DE";
             return "1" + std::to_string(below(10)) + ":3" + std::to_string(below(10));
         }
         return text(schema.value("maxLength", 4096));

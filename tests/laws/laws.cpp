@@ -7,12 +7,14 @@
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/testsofverdict.h"
+#include "export/dcc.h"
 #include "export/resultsjson.h"
 #include "figures/figuretexts.h"
 #include "figures/testfigures.h"
 #include "import/importmeasurement.h"
 #include "kernel/evaluation/accordance.h"
 #include "kernel/measurement/testfacts.h"
+#include "language/rounding.h"
 #include "language/visibletext.h"
 #include "print/figures/exportfigure.h"
 #include "print/pdf/writepdf.h"
@@ -240,6 +242,7 @@ public:
             figure(i);
             window(i);
         }
+        certificate();
         limits();
         counts();
         groups();
@@ -655,6 +658,36 @@ private:
             summaryRows(m_followed.evaluated, file, SummaryForm::csv, Language(Language::Id::english)));
         if (list != table)
             violated("one voice", "the list of the register: " + list.toStdString() + table.toStdString());
+    }
+
+    /// Every value, U and limit stands in the digital calibration certificate, in the order of the results.
+    void certificate() {
+        if (!missingForDcc(document()).empty())
+            return;
+        const QByteArray bytes = dcc(m_followed.evaluated);
+        harmless("the certificate", QString::fromUtf8(bytes));
+        qsizetype at = 0;
+        const auto next = [&](const char *element, const std::optional<double> &number, Quantity quantity) {
+            if (!number || !std::isfinite(*number))
+                return;
+            const QByteArray text = "<si:" + QByteArray(element) + '>' +
+                                    QByteArray::fromStdString(Decimal(*number, quantity).shortest()) +
+                                    "</si:";
+            const qsizetype found = bytes.indexOf(text, at);
+            if (found < 0)
+                violated("one voice", "the certificate lacks " + text.toStdString());
+            at = std::max(at, found);
+        };
+        for (const TestEvaluationPointer &test : m_followed.evaluated.tests) {
+            for (const Parameter &parameter : test->parameters) {
+                const Quantity quantity = parameter.term.quantity;
+                next("value", parameter.value, quantity);
+                if (parameter.value)
+                    next("uncertainty", parameter.expandedUncertainty, quantity);
+                if (parameter.limit)
+                    next("value", parameter.limit->value, quantity);
+            }
+        }
     }
 
     /// What is printed follows from the data that the PDF carries.
