@@ -405,7 +405,13 @@ private:
             const Writer french(m_french);
             const Writer english(m_english);
             const auto rowsIn = [&](const Writer &write) {
-                return conditionRows({write, m_evaluated, test, evaluation, index}).rows;
+                const TestPart part{write, m_evaluated, test, evaluation, index};
+                std::vector<KeyValue> rows = conditionRows(part).rows;
+                if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement)) {
+                    const KeyValues own = parameterRows({part, *circle, resultsOf(*circle, evaluation)});
+                    rows.insert(rows.begin(), own.rows.begin(), own.rows.end());
+                }
+                return rows;
             };
             const std::vector<KeyValue> there = rowsIn(french);
             const std::vector<KeyValue> here = rowsIn(english);

@@ -826,7 +826,7 @@ void UncertaintyPage::showResult(int row, const Parameter &parameter, const Test
         const QString text =
             value && decides
                 ? QStringLiteral("± ") +
-                      printedNumbers(parameter, shownTest()->decisionRule, resolution, language()).uncertainty
+                      printedNumbers(parameter, *shownTest(), *evaluated().document, language()).uncertainty
                 : expanded(value);
         auto *cell = m_results->setCell(row, at, text, true, decides);
         if (decides)

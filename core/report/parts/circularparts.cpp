@@ -133,6 +133,8 @@ QString pointsText(const CircularPart &part, const EvaluatedPath &path) {
                : evaluated;
 }
 
+} // namespace
+
 KeyValues parameterRows(const CircularPart &part) {
     const Writer &write = part.write;
     const CircularMeasurement &measurement = part.measurement;
@@ -186,6 +188,8 @@ KeyValues parameterRows(const CircularPart &part) {
     }
     return rows.take();
 }
+
+namespace {
 
 std::vector<CircleFigureOptions> figuresOf(const CircularPart &part) {
     if (part.head().figures == CircleFigures::separate) {

@@ -494,7 +494,6 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
     if (columns.size() < 2)
         return std::nullopt;
     const Writer &write = part.write;
-    const auto resolution = finestResolution(part.document(), part.test);
     std::vector<const Parameter *> rows;
     for (const EditionColumn &column : columns) {
         for (const Parameter &parameter : column.evaluation->parameters) {
@@ -512,10 +511,9 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
             const auto found = std::ranges::find_if(
                 parameters, [&](const Parameter &p) { return parameterId(p) == parameterId(*row); });
             const bool known = found != parameters.end() && found->value;
-            cells.emplace_back(known ? printedNumbers(*found, part.test.decisionRule, resolution,
-                                                      write.language(), part.head().rounding)
-                                           .value
-                                     : QString());
+            cells.emplace_back(
+                known ? printedNumbers(*found, part.test, part.document(), write.language()).value
+                      : QString());
         }
         table.rows.push_back(std::move(cells));
     }

@@ -163,6 +163,9 @@ void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, con
 /// Adds the files the measurement came from, with the results stated by their programs.
 void addImports(std::vector<Block> &blocks, const TestPart &part);
 
+/// The parameters of a circular test (4.4), as they stand next to its figure.
+[[nodiscard]] KeyValues parameterRows(const CircularPart &part);
+
 /// Adds the figure of a circular test with the test parameters next to it (4.4): both senses in one, or the
 /// first of the three figures of the standard.
 void addActualPaths(std::vector<Block> &blocks, const CircularPart &part);

@@ -103,11 +103,9 @@ Cell uncertaintyCell(const TestPart &part, const Parameter &parameter, double va
     const Quantity quantity = deviationQuantity(part.test);
     const auto resolution = finestResolution(part.document(), part.test);
     const bool decides = parameter.decidedBy == method;
-    Cell cell(
-        decides
-            ? printedNumbers(parameter, part.test.decisionRule, resolution, language, part.head().rounding)
-                  .uncertainty
-            : language.uncertainty(value, quantity, decimalsWithUncertainty(value, quantity, resolution)));
+    Cell cell(decides ? printedNumbers(parameter, part.test, part.document(), language).uncertainty
+                      : language.uncertainty(value, quantity,
+                                             decimalsWithUncertainty(value, quantity, resolution)));
     cell.bold = decides;
     return cell;
 }
