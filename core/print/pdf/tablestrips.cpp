@@ -393,6 +393,9 @@ public:
                 title.unit = TextBlock(column.unit, styled(false, noteGrey), room);
             title.alignment = textAlignment(column.alignment);
             title.x = place.left;
+            const std::size_t before = i == 0 ? 0 : m_titles.back().owner;
+            const bool covered = i > 0 && i < before + static_cast<std::size_t>(m_titles[before].tag.columns);
+            title.owner = covered ? before : i;
             title.tag = {static_cast<int>(last - i) + 1, 1, "/Column"};
             title.width = places[last].right() - place.left;
             // Above numbers the line for units is kept free.
@@ -448,14 +451,17 @@ public:
             // Aligned at the bottom; above numbers the line for units is kept free.
             const bool free = units && (title.alignment == TextAlignment::right || !title.unit.empty());
             const double top = bottom - title.name.height() - (free ? unitHeight : 0);
-            const Tag tag(title.tag, &title);
+            const Title &owner = m_titles[title.owner];
+            const Tag tag(owner.tag, &owner);
             title.name.draw(painter, {at.x() + title.x, top}, title.alignment, title.width);
         }
         for (const Title &title : m_titles) {
-            const Tag tag(title.tag, &title);
-            if (!title.unit.empty())
-                title.unit.draw(painter, {at.x() + title.x, bottom - title.unit.height()}, title.alignment,
-                                title.width);
+            if (title.unit.empty())
+                continue;
+            const Title &owner = m_titles[title.owner];
+            const Tag tag(owner.tag, &owner);
+            title.unit.draw(painter, {at.x() + title.x, bottom - title.unit.height()}, title.alignment,
+                            title.width);
         }
     }
 
@@ -494,6 +500,7 @@ private:
         double width = 0;
         TextAlignment alignment = TextAlignment::left;
         CellTag tag = {};
+        std::size_t owner = 0; ///< index of the title whose cell it belongs to
     };
 
     double m_width = 0;

@@ -152,10 +152,6 @@ private:
     }
 
     void add(std::string_view line) {
-        if (m_inFigure) {
-            m_out += line;
-            return;
-        }
         const std::string_view operation = operatorOf(line);
         if (operation == "BT") {
             belongTo(m_current);
@@ -164,6 +160,8 @@ private:
         } else if (m_inText) {
             addText(line, operation);
             m_inText = operation != "ET";
+        } else if (m_inFigure) {
+            m_out += line;
         } else if (paints(operation)) {
             belongTo(artifact);
             m_out += line;

@@ -397,6 +397,7 @@ void TextBlock::append(const TextRun &run, double width) {
         appendToLine(rest.consume(count), width);
         if (rest.empty())
             break;
+        m_lines.back().goesOn = true;
         m_lines.emplace_back();
     }
     if (!rest.empty())
@@ -472,7 +473,10 @@ void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment
             else if (fragment.run.script == TextRun::Script::superscript)
                 y -= superscriptRise * m_style.size;
             painter.setPen(QColor::fromRgb(fragment.run.grey ? noteGrey : m_style.colour));
-            drawRun(painter, QPointF(x, y) * tenths, fragment.run, m_style);
+            TextRun run = fragment.run;
+            if (&fragment == &line.fragments.back() && !line.goesOn)
+                run.text += u' '; // readers of the text join its lines
+            drawRun(painter, QPointF(x, y) * tenths, run, m_style);
             x += fragment.width;
         }
         baseline += lineHeight();

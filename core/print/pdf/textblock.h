@@ -74,6 +74,7 @@ private:
     struct Line {
         std::vector<Fragment> fragments;
         double width = 0;
+        bool goesOn = false; ///< ends within a word
     };
 
     /// Adds the space before a word, or a new line if the word does not fit; nothing at the start of a line.

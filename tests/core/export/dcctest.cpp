@@ -173,7 +173,7 @@ void DccTest::theSchemaTakesIt() {
     QFETCH(QString, path);
     const QTemporaryDir folder;
     const QString file = folder.filePath("dcc.xml");
-    saveBytes(file, dcc(evaluatedFile(path)));
+    saveBytes(dcc(evaluatedFile(path)), file);
     QProcess xmllint;
     xmllint.start("xmllint", {"--nonet", "--noout", "--schema", PALMER_DCC_SCHEMAS "/dcc_3_2_0.xsd", file});
     QVERIFY(xmllint.waitForFinished(60'000));
