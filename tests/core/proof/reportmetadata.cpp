@@ -64,7 +64,7 @@ private slots:
         QCOMPARE(element(packet, "title"), example().title);
         QCOMPARE(element(packet, "creator"), example().author);
         QCOMPARE(element(packet, "part"), QStringLiteral("3"));
-        QCOMPARE(element(packet, "conformance"), QStringLiteral("B"));
+        QCOMPARE(element(packet, "conformance"), QStringLiteral("A"));
         QCOMPARE(element(packet, "CreateDate"), QStringLiteral("2026-03-05T00:00:00Z"));
         QCOMPARE(packet, xmpPacket(example())); // nothing of the clock
         ReportMetadata bare;
