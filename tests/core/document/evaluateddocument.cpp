@@ -129,7 +129,7 @@ private slots:
     /// Notes of the laboratory, and only where it states an accreditation.
     void anAccreditedLaboratoryIsToldWhatItsCertificateLacks() {
         Document document = *documentOf({axisTest()});
-        document.instruments.push_back({"laser"});
+        document.instruments.emplace_back().id = "laser";
         editTest(document, 0, [](Test &test) { test.instruments = {"laser"}; });
         const auto lacking = [&] {
             std::set<std::string> keys;

@@ -12,7 +12,7 @@ namespace palmer::testdata {
 
 struct Setup {
     Machine machine{"M", "maker", "type", "1", "", {}, "", ""};
-    Instrument laser{"laser", "laser interferometer", "", "", "2", "C-1", "", "2026-01-01", "2027-01-01", {}};
+    Instrument laser{"laser", "laser interferometer", "", "", "2", "C-1", "", "2026-01-01", "2027-01-01", {}, {}};
     Test test;
     bool otherTest = false;
     Surroundings around; ///< what the report and the other tests say
@@ -126,7 +126,7 @@ inline Setup rotary(const char *edition) {
 /// Two full circles of 360 points each that state everything and meet every requirement.
 struct Circle {
     Machine machine{"M", "maker", "type", "1", "", {}, "", ""};
-    Instrument bar{"bar", "ballbar", "", "", "2", "C-1", "", "2026-01-01", "2027-01-01", {}};
+    Instrument bar{"bar", "ballbar", "", "", "2", "C-1", "", "2026-01-01", "2027-01-01", {}, {}};
     Test test;
 
     CircularMeasurement &m() { return std::get<CircularMeasurement>(test.measurement); }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+using palmer::chiSquareExceeded;
 using palmer::studentQuantile975;
 
 class StudentT : public QObject {
