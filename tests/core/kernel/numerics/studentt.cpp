@@ -7,6 +7,7 @@
 #include <cmath>
 
 using palmer::chiSquareExceeded;
+using palmer::normalExceeded;
 using palmer::studentQuantile975;
 
 class StudentT : public QObject {
