@@ -49,9 +49,9 @@ struct FontText {
 class PageReader : public Handle::ParserCallbacks {
 public:
     explicit PageReader(Handle page) {
-        for (auto &[name, font] : page.getKey("/Resources").getKey("/Font").getDictAsMap()) {
+        for (auto &[name, dictionary] : page.getKey("/Resources").getKey("/Font").getDictAsMap()) {
             FontText text;
-            const QString map = bytesOf(font.getKey("/ToUnicode"));
+            const QString map = bytesOf(dictionary.getKey("/ToUnicode"));
             const QStringList list = arrayOfHex(map.mid(map.indexOf(u'[')));
             const QStringList range = arrayOfHex(map.mid(map.indexOf(u"beginbfrange"_s)));
             bool isNumber = false;
