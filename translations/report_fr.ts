@@ -8385,8 +8385,8 @@
         <translation>Trop peu de points de la trajectoire %1 sont évalués (%2)&#xa0;: les résultats bidirectionnels demandent les deux sens.</translation>
     </message>
     <message>
-        <source>title, author or bookmarks of the PDF are not those that follow from the data</source>
-        <translation>le titre, l’auteur ou les signets du PDF ne sont pas ceux qui découlent des données</translation>
+        <source>title, author, bookmarks or texts for screen readers in the PDF are not those that follow from the data</source>
+        <translation>le titre, l’auteur, les signets ou les textes pour lecteurs d’écran du PDF ne sont pas ceux qui découlent des données</translation>
     </message>
     <message>
         <source>No value for H: it needs full circles in both senses.</source>

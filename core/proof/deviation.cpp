@@ -57,8 +57,8 @@ Difference otherCertificate() {
 
 Difference otherBeside(const QString &shown) {
     return said(0,
-                REPORT_TEXT("report",
-                            "title, author or bookmarks of the PDF are not those that follow from the data"),
+                REPORT_TEXT("report", "title, author, bookmarks or texts for screen readers in the PDF are "
+                                      "not those that follow from the data"),
                 shown);
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 
@@ -115,7 +116,7 @@ void addActions(std::vector<PdfAddition> &additions, QPDF &document) {
     addUnknownKeys(additions, root,
                    {"/Type", "/Version", "/Extensions", "/Pages", "/PageLabels", "/Names",
                     "/ViewerPreferences", "/PageLayout", "/PageMode", "/Outlines", "/AcroForm", "/Metadata",
-                    "/MarkInfo", "/Lang", "/OutputIntents", "/Perms", "/DSS", "/AF"});
+                    "/MarkInfo", "/StructTreeRoot", "/Lang", "/OutputIntents", "/Perms", "/DSS", "/AF"});
     addUnknownKeys(additions, root.getKey("/Names"), {"/EmbeddedFiles"});
     Handle form = root.getKey("/AcroForm");
     addUnknownKeys(additions, form, {"/Fields", "/SigFlags", "/DR", "/DA", "/Q", "/NeedAppearances"});
@@ -154,7 +155,30 @@ std::string textOf(Handle dictionary, const char *key) {
     return value.isString() ? value.getUTF8Value() : std::string();
 }
 
-/// Title, author, then the bookmarks in reading order. Throws if the bookmarks do not end.
+/// Adds what a reading aid says instead of the page: alternative texts of the tagged parts.
+void addTaggedTexts(std::vector<std::string> &result, Handle root) {
+    std::set<QPDFObjGen> known;
+    std::vector<Handle> next{root};
+    while (!next.empty()) {
+        Handle element = next.back();
+        next.pop_back();
+        if (element.isArray()) {
+            for (int i = element.getArrayNItems(); i-- > 0;)
+                next.push_back(element.getArrayItem(i));
+            continue;
+        }
+        if (!element.isDictionary() || (element.isIndirect() && !known.insert(element.getObjGen()).second))
+            continue;
+        for (const char *key : {"/Alt", "/ActualText", "/E", "/T"}) {
+            if (element.hasKey(key))
+                result.push_back(textOf(element, key));
+        }
+        next.push_back(element.getKey("/K"));
+    }
+}
+
+/// Title, author, the bookmarks in reading order, then what reading aids say. Throws if the bookmarks do not
+/// end.
 std::vector<std::string> besideThePages(QPDF &document) {
     std::vector<std::string> result;
     for (const char *key : {"/Title", "/Author", "/Subject", "/Keywords"})
@@ -174,6 +198,7 @@ std::vector<std::string> besideThePages(QPDF &document) {
         next.push_back(bookmark.getKey("/Next"));
         next.push_back(bookmark.getKey("/First"));
     }
+    addTaggedTexts(result, document.getRoot().getKey("/StructTreeRoot"));
     return result;
 }
 

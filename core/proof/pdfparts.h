@@ -38,7 +38,7 @@ struct PdfParts {
     std::vector<EmbeddedFile> files; ///< as readers find them, without duplicates
     std::vector<PdfAddition> additions;
     std::vector<PdfField> signatureFields; ///< visible ones
-    std::vector<std::string> beside;       ///< shown besides the pages: title and author, bookmarks
+    std::vector<std::string> beside; ///< besides the pages: title, author, bookmarks, what is read aloud
 };
 
 /// Takes a PDF apart. `most`: bytes that its streams may unpack to; `exceeded`: true if they unpack to more.
