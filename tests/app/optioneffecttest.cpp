@@ -137,7 +137,7 @@ std::vector<Base> OptionEffectTest::bases() const {
     std::vector<Base> all{
         {"evaluate an axis", {"evaluate", axis}},
         {"evaluate as JSON", {"evaluate", axis, "--json"}},
-        {"evaluate into a table", {"evaluate", axis, "--table", "csv"}},
+        {"evaluate into a table", {"evaluate", EXAMPLES "rotary-axis.palmer", "--table", "csv"}},
         {"evaluate circles", {"evaluate", at("two.palmer")}},
         {"evaluate a drift test", {"evaluate", at("drift.palmer")}},
         {"evaluate a measurement", {"evaluate", SOURCE "/doc/x-axis.csv", "--accept"}},
