@@ -7528,8 +7528,8 @@
         <translation>register %1 ne prend pas de fichier</translation>
     </message>
     <message>
-        <source>all tests of all machines in some folders, over the years</source>
-        <translation>le registre&#xa0;: tous les essais de toutes les machines dans des dossiers, au fil des ans</translation>
+        <source>all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, report, join MACHINE MACHINE, interval MACHINE MONTHS</source>
+        <translation>tous les essais de toutes les machines dans des dossiers, au fil des ans&#xa0;: scan FOLDER…, list, trend, report, join MACHINE MACHINE, interval MACHINE MONTHS</translation>
     </message>
     <message>
         <source>no machine of the register is called “%1”</source>

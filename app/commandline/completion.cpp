@@ -116,7 +116,7 @@ private:
             add(QString::fromUtf8(keysWord), {});
         else if (known.contains(u'|') && known.front().isLower()) // "circular|positioning"
             for (const QString &word : known.split(u'|'))
-                add(word, {});
+                add(word.section(u' ', 0, 0), {});
     }
 
     const Language &m_language;

@@ -364,12 +364,15 @@ QString registerAddress(const Invocation &invocation) {
 }
 
 Command registerCommand() {
-    return {"register",
-            "scan FOLDER…|list|trend|report|join MACHINE MACHINE|interval MACHINE MONTHS",
-            REPORT_TEXT("report", "all tests of all machines in some folders, over the years"),
-            registerOptions,
-            runRegister,
-            true};
+    return {
+        "register",
+        "scan|list|trend|report|join|interval …",
+        REPORT_TEXT("report",
+                    "all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, "
+                    "report, join MACHINE MACHINE, interval MACHINE MONTHS"),
+        registerOptions,
+        runRegister,
+        true};
 }
 
 } // namespace palmer

@@ -30,9 +30,35 @@ constexpr int waitForServer = 10;  ///< s
            {}, Error::Kind::content);
 }
 
-[[noreturn]] void refuseUnopened() {
-    refuse(REPORT_TEXT("report", "the register cannot be opened; check the permissions of its folder"), {},
-           Error::Kind::unwritable);
+/// What SQLite's primary error codes mean.
+struct SqliteTrouble {
+    std::array<int, 2> codes;
+    Text text;
+    Error::Kind kind = Error::Kind::unreadable;
+};
+enum SqliteRow : std::size_t { locked, notWritable, full, damaged };
+constexpr std::array sqliteTroubles{
+    // in the order of SqliteRow
+    SqliteTrouble{
+        {5, 6},
+        REPORT_TEXT("report", "the register is locked by another program; try again when it is done")},
+    SqliteTrouble{
+        {8, 14},
+        REPORT_TEXT("report", "the register cannot be written; check the permissions of its folder"),
+        Error::Kind::unwritable},
+    SqliteTrouble{{10, 13},
+                  REPORT_TEXT("report", "the register cannot be written, for want of space perhaps; what it "
+                                        "held is unchanged: make room and scan again"),
+                  Error::Kind::unwritable},
+    SqliteTrouble{{11, 26},
+                  REPORT_TEXT("report", "the file of the register is damaged; remove it and scan again, the "
+                                        "test files hold everything")}};
+
+const SqliteTrouble *sqliteTrouble(int code) {
+    const auto row = std::ranges::find_if(sqliteTroubles, [code](const SqliteTrouble &one) {
+        return one.codes[0] == code || one.codes[1] == code;
+    });
+    return row == sqliteTroubles.end() ? nullptr : &*row;
 }
 
 /// Returns the primary SQLite error code; 0 if the error has none.
@@ -93,10 +119,8 @@ void openFile(QSqlDatabase &database, const QString &path, Database::Use use) {
     database.setConnectOptions(options);
     bool isRegister = false;
     int trouble = opened(database, isRegister);
-    constexpr int notWritable = 8; // SQLite's codes
-    constexpr int notOpened = 14;
-    const bool needsLocks = trouble == notWritable || trouble == notOpened;
-    if (toRead && needsLocks && QFileInfo(path + QStringLiteral("-wal")).size() == 0) {
+    const auto is = [&trouble](std::size_t row) { return sqliteTrouble(trouble) == &sqliteTroubles[row]; };
+    if (toRead && is(notWritable) && QFileInfo(path + QStringLiteral("-wal")).size() == 0) {
         // In a folder that cannot be written SQLite has no place for its locks; nobody is writing.
         database.close();
         database.setDatabaseName(QUrl::fromLocalFile(info.absoluteFilePath()).toString(QUrl::FullyEncoded) +
@@ -104,13 +128,11 @@ void openFile(QSqlDatabase &database, const QString &path, Database::Use use) {
         database.setConnectOptions(options + QStringLiteral(";QSQLITE_OPEN_URI"));
         trouble = opened(database, isRegister);
     }
-    constexpr int busy = 5;
-    constexpr int damaged = 11;
-    constexpr int noDatabase = 26;
-    if (trouble == busy)
-        refuse(REPORT_TEXT("report", "the register is locked by another program; try again when it is done"));
-    if (trouble != 0 && trouble != damaged && trouble != noDatabase)
-        refuseUnopened(); // its content is unknown
+    if (is(locked))
+        refuse(sqliteTroubles[locked].text);
+    if (trouble != 0 && !is(damaged))
+        refuse(REPORT_TEXT("report", "the register cannot be opened; check the permissions of its folder"),
+               {}, Error::Kind::unwritable); // its content is unknown
     if (!isRegister)
         refuseForeign();
 }
@@ -236,21 +258,8 @@ void Database::fail(const QSqlError &error) const {
             refuse(REPORT_TEXT("report",
                                "the server of the register is gone; nothing is lost, scan again when "
                                "it is back"));
-    } else if (code == QLatin1StringView("5") || code == QLatin1StringView("6")) {
-        refuse(REPORT_TEXT("report", "the register is locked by another program; try again when it is done"));
-    } else if (code == QLatin1StringView("13") || code == QLatin1StringView("10") ||
-               code.startsWith(QLatin1StringView("778")) || code == QLatin1StringView("4874")) {
-        refuse(REPORT_TEXT("report",
-                           "the register cannot be written, for want of space perhaps; what it held "
-                           "is unchanged: make room and scan again"),
-               {}, Error::Kind::unwritable);
-    } else if (code == QLatin1StringView("8") || code == QLatin1StringView("14")) {
-        refuse(REPORT_TEXT("report", "the register cannot be written; check the permissions of its folder"),
-               {}, Error::Kind::unwritable);
-    } else if (code == QLatin1StringView("11") || code == QLatin1StringView("26")) {
-        refuse(REPORT_TEXT("report",
-                           "the file of the register is damaged; remove it and scan again, the test "
-                           "files hold everything"));
+    } else if (const SqliteTrouble *trouble = sqliteTrouble(codeOf(error))) {
+        refuse(trouble->text, {}, trouble->kind);
     }
     refuse(REPORT_TEXT("report", "the database of the register says: %1"),
            {error.databaseText().section(u'\n', 0, 0).trimmed().toStdString()});

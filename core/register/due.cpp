@@ -81,16 +81,18 @@ MachineDue markDue(Database &database, const ListedMachine &machine, std::vector
     const std::optional<int> interval = machine.months ? machine.months : months;
     MachineDue result;
     std::map<QString, ListedTest *> counted;
+    std::map<std::string, std::optional<std::string>> newest;
     for (ListedTest &test : tests) {
-        if (!test.test.date)
-            continue;
-        if (countsForInterval(test.test))
+        newest[test.test.axis] = test.test.date;
+        if (test.test.date && countsForInterval(test.test))
             counted[QString::fromStdString(test.test.axis)] = &test;
-        if (test.test.date == tests.back().test.date) {
-            const std::optional<QDate> expiry = firstExpiry(test.test, known);
-            test.certificateDue = iso(expiry);
-            takeEarlier(result.certificate, expiry.value_or(QDate()));
-        }
+    }
+    for (ListedTest &test : tests) {
+        if (!test.test.date || test.test.date != newest[test.test.axis])
+            continue;
+        const std::optional<QDate> expiry = firstExpiry(test.test, known);
+        test.certificateDue = iso(expiry);
+        takeEarlier(result.certificate, expiry.value_or(QDate()));
     }
     for (const auto &[axis, test] : counted) {
         const QDate date = interval ? dateOf(*test->test.date).addMonths(*interval) : QDate();
@@ -121,9 +123,9 @@ std::map<int, MachineDue> dueDates(Database &database, const std::vector<ListedM
     }
     QSqlQuery &newest = database.run(QStringLiteral(
         "select test.machine, instrument.description, instrument.serial from test, instrument, (select "
-        "machine, "
-        "max(date) as newest from test where date is not null group by machine) as last where "
-        "test.machine = last.machine and test.date = last.newest and instrument.test = test.id"));
+        "machine, axis, max(date) as newest from test where date is not null group by machine, axis) as last "
+        "where test.machine = last.machine and test.axis = last.axis and test.date = last.newest and "
+        "instrument.test = test.id"));
     while (newest.next()) {
         const auto found = known.find({newest.value(1).toString(), newest.value(2).toString()});
         if (found != known.end())

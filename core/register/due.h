@@ -13,7 +13,7 @@ namespace palmer {
 struct MachineDue {
     /// Of each axis and plane, by its interval, from its last periodic or acceptance test.
     std::map<QString, QDate> tests;
-    std::optional<QDate> certificate; ///< first expiry among the instruments of its newest day
+    std::optional<QDate> certificate; ///< first expiry among the instruments last used on an axis
 
     /// Returns the first of the tests; null without one.
     [[nodiscard]] std::optional<QDate> test() const;

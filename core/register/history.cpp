@@ -412,11 +412,8 @@ private:
     [[nodiscard]] Cell firstResult(const AxisTrends &axis, const RegisteredTest &test) const {
         if (axis.trends.empty())
             return {};
-        const auto found =
-            std::ranges::find(test.results, axis.trends.front().parameter, &RegisteredResult::id);
-        return found == test.results.end() || !found->value
-                   ? Cell()
-                   : Cell(shownResult(*found, test.angular, m_language).value);
+        const RegisteredResult *found = resultOf(test, axis.trends.front().parameter);
+        return !found || !found->value ? Cell() : Cell(shownResult(*found, test.angular, m_language).value);
     }
 
     void addResults() {
@@ -442,7 +439,6 @@ private:
         std::vector<Span> results;
         int count = 0;
         for (const std::string &id : parametersOf({one})) {
-            const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
             const QString symbol = plainSymbolOf(id);
             const std::size_t end = id.find('_');
             const QString index = end == std::string::npos ? QString() : utf8(id.substr(end + 1));
@@ -450,7 +446,8 @@ private:
                 {(count == 0 ? QString() : QStringLiteral("; ")) + symbol.chopped(index.size())});
             if (!index.isEmpty())
                 results.push_back({index, true});
-            results.push_back({QChar(QChar::Nbsp) + shownResult(*found, test.angular, m_language).text()});
+            results.push_back(
+                {QChar(QChar::Nbsp) + shownResult(*resultOf(test, id), test.angular, m_language).text()});
             if (++count == mostResults)
                 break;
         }

@@ -66,7 +66,8 @@ SummaryTest identified(const ListedTest &listed) {
             test.edition,
             test.purpose,
             test.role,
-            zone.match(QString::fromStdString(test.setUp)).captured(1).toStdString()};
+            zone.match(QString::fromStdString(test.setUp)).captured(1).toStdString(),
+            test.angular};
 }
 
 /// "test: 18 Nov 2026; certificate: 31 Jan 2027".
@@ -218,8 +219,7 @@ Report composeList(const QString &title, const std::vector<ListedTest> &tests, c
         QStringList results;
         const Quantity quantity = test.angular ? Quantity::angularDeviation : Quantity::deviation;
         for (const std::string &id : mainParametersOf({listed})) {
-            const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
-            if (found != test.results.end())
+            if (const RegisteredResult *found = resultOf(test, id))
                 results << plainSymbolOf(id) + QChar(QChar::Nbsp) +
                                shownResult(*found, test.angular, language).text() + QChar(QChar::Nbsp) +
                                language.unit(quantity);

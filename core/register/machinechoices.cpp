@@ -172,6 +172,8 @@ MachineFiles changedMachineFiles(Database &database, const QStringList &folders,
                 changed.emplace(folder, text);
         } catch (const Error &error) {
             unreadable.push_back({machineFileIn(folder), storedSentence(error)});
+            if (!kept.contains(folder)) // a folder of the register all the same
+                changed.emplace(folder, QString());
         }
     }
     return changed;

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double daysOfYear = 365.25;
 
-const RegisteredResult *resultOf(const RegisteredTest &test, const std::string &id) {
-    const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
-    return found == test.results.end() || !found->value ? nullptr : &*found;
+bool hasValue(const RegisteredTest &test, const std::string &id) {
+    const RegisteredResult *result = resultOf(test, id);
+    return result && result->value;
 }
 
 bool isClose(std::optional<double> a, std::optional<double> b, double tolerance) {
@@ -101,7 +101,7 @@ public:
             if (test.test.date && dateOf(*test.test.date).isValid())
                 dated.push_back(test);
             else
-                m_trend.withoutDate += resultOf(test.test, parameter) ? 1 : 0;
+                m_trend.withoutDate += hasValue(test.test, parameter) ? 1 : 0;
         }
         m_dated = std::move(dated);
     }
@@ -135,8 +135,7 @@ private:
 
     void addEntry(const ListedTest &listed, std::size_t stretch) {
         const RegisteredTest &test = listed.test;
-        const RegisteredResult *result = resultOf(test, m_trend.parameter);
-        if (!result)
+        if (!hasValue(test, m_trend.parameter))
             return;
         if (m_trend.series.empty()) {
             m_trend.kind = test.kind;
@@ -154,7 +153,7 @@ private:
         TrendEntry entry;
         entry.date = *test.date;
         entry.time = yearsOf(dateOf(*test.date));
-        entry.result = *result;
+        entry.result = *resultOf(test, m_trend.parameter);
         entry.role = test.role;
         entry.purpose = test.purpose;
         entry.rule = test.rule;
@@ -224,7 +223,7 @@ std::vector<std::string> parametersOf(const std::vector<ListedTest> &tests) {
     };
     for (const char *id : {"A", "E", "R", "M", "B"}) {
         for (const ListedTest &test : tests) {
-            if (resultOf(test.test, id))
+            if (hasValue(test.test, id))
                 add(id);
         }
     }

@@ -74,7 +74,7 @@ RegisteredResult resultFrom(const QSqlQuery &row) {
     RegisteredResult result;
     int bound = 0;
     int shared = 0;
-    RowReader(row, 1).read(result.id, result.value, result.expandedUncertainty, result.k, bound, result.limit,
+    RowReader(row, 2).read(result.id, result.value, result.expandedUncertainty, result.k, bound, result.limit,
                            result.guardBand, result.verdict, result.own, shared, result.sharedFactor,
                            result.withoutParts, result.decimals, result.uncertaintyDecimals);
     result.bound = static_cast<Bound>(bound);
@@ -115,9 +115,7 @@ void addParts(Database &database, const TestFilter &filter, const Condition &con
                 RowReader(row, 1).read(one.description, one.serialNumber, one.certificate, one.due);
             });
     eachRow(database, condition,
-            QStringLiteral(
-                "select test, id, value, expanded, k, bound, limit_value, guard, verdict, own, shared, "
-                "factor, whole, decimals, udecimals from result where test"),
+            QStringLiteral("select ") + resultColumns + QStringLiteral(" from result where test"),
             QStringLiteral("order by test, position"), byId,
             [](ListedTest &test, const QSqlQuery &row) { test.test.results.push_back(resultFrom(row)); });
     if (filter.withCurves)
@@ -257,13 +255,8 @@ std::vector<ListedMachine> machinesCalled(const std::vector<ListedMachine> &mach
 
 std::vector<ListedTest> tests(Database &database, const TestFilter &filter) {
     const Condition condition = conditionOf(filter);
-    QSqlQuery query = database.prepare(
-        QStringLiteral(
-            "select id, digest, machine, name, manufacturer, model, serial, location, kind, title, "
-            "word, edition, axis, angular, date, time, feed, travel, setup, correction, purpose, "
-            "role, verdict, rule, accordance, unmet, undeclared, departures, fingerprint, parts, "
-            "awaits from test") +
-        condition.text);
+    QSqlQuery query = database.prepare(QStringLiteral("select ") + testColumns +
+                                       QStringLiteral(" from test") + condition.text);
     database.run(query, condition.values);
     std::vector<ListedTest> result;
     while (query.next()) {

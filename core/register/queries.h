@@ -42,7 +42,7 @@ struct ListedTest {
     RegisteredTest test;
     std::vector<TestPlace> places;             ///< by path, existing ones first; never empty
     std::optional<std::string> due;            ///< on the test an interval counts from: date of the next one
-    std::optional<std::string> certificateDue; ///< on the tests of a machine's newest day: first expiry
+    std::optional<std::string> certificateDue; ///< on the tests of an axis's newest day: first expiry
 };
 
 /// A filter; empty: all tests.

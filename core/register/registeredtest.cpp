@@ -387,6 +387,11 @@ bool hasLimit(const RegisteredTest &test) {
     return std::ranges::any_of(test.results, [](const RegisteredResult &r) { return r.limit.has_value(); });
 }
 
+const RegisteredResult *resultOf(const RegisteredTest &test, const std::string &id) {
+    const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
+    return found == test.results.end() ? nullptr : &*found;
+}
+
 std::string quantityOf(const std::string &resultId) {
     return resultId.substr(0, resultId.find('_'));
 }

@@ -96,6 +96,9 @@ struct RegisteredTest {
 /// True if any of its results has a limit.
 [[nodiscard]] bool hasLimit(const RegisteredTest &test);
 
+/// Returns the result with that id; null without it.
+[[nodiscard]] const RegisteredResult *resultOf(const RegisteredTest &test, const std::string &id);
+
 /// Returns the quantity of an id without axes: "G(b)" for "G(b)_XY".
 [[nodiscard]] std::string quantityOf(const std::string &resultId);
 

@@ -20,6 +20,7 @@
 #include <deque>
 #include <future>
 #include <new>
+#include <set>
 #include <thread>
 
 namespace palmer {
@@ -272,28 +273,28 @@ private:
         }
     }
 
-    /// Returns the folders that exist and hold less than half of the tests they had.
+    /// Returns the topmost folders that would lose more than half of their tests. One that has another place
+    /// is not lost.
     [[nodiscard]] QStringList foldersLosingMost(const std::vector<QString> &vanished) const {
-        struct Count {
-            int all = 0;
-            int lost = 0;
-        };
-        std::map<QString, Count> folders;
+        std::vector<std::pair<QString, int>> places;
+        std::set<int> stay;
         QSqlQuery &query = m_register.database().run(QStringLiteral(
-            "select source.path, count(*) from source, place where source.id = place.source group by path"));
+            "select source.path, place.test from source, place where source.id = place.source"));
         while (query.next()) {
-            const QString path = query.value(0).toString();
-            const int tests = query.value(1).toInt();
-            const bool isLost = std::ranges::binary_search(vanished, path);
-            for (QString folder = path; isBelow(folder, m_folders);) {
+            const auto &[path, test] = places.emplace_back(query.value(0).toString(), query.value(1).toInt());
+            if (!std::ranges::binary_search(vanished, path))
+                stay.insert(test);
+        }
+        std::map<QString, int> balance; // tests that stay less those that are lost
+        for (auto &[folder, test] : places) {
+            while (isBelow(folder, m_folders)) {
                 folder.truncate(folder.lastIndexOf(u'/'));
-                folders[folder].all += tests;
-                folders[folder].lost += isLost ? tests : 0;
+                balance[folder] += stay.contains(test) ? 1 : -1;
             }
         }
         QStringList result;
-        for (const auto &[folder, count] : folders) {
-            if (2 * count.lost > count.all && isBelow(folder, m_folders) && QFileInfo(folder).isDir())
+        for (const auto &[folder, tests] : balance) {
+            if (tests < 0 && isBelow(folder, m_folders) && !isBelow(folder, result))
                 result << folder;
         }
         return result;

@@ -14,6 +14,15 @@
 
 namespace palmer {
 
+/// Columns of these tables, in the order in which they are written and read.
+inline const QString testColumns = QStringLiteral(
+    "id, digest, machine, name, manufacturer, model, serial, location, kind, title, word, edition, axis, "
+    "angular, date, time, feed, travel, setup, correction, purpose, role, verdict, rule, accordance, unmet, "
+    "undeclared, departures, fingerprint, parts, awaits");
+inline const QString resultColumns = QStringLiteral(
+    "test, position, id, value, expanded, k, bound, limit_value, guard, verdict, own, shared, factor, whole, "
+    "decimals, udecimals");
+
 /// Returns a value as it is stored: texts in UTF-16, yes as 1 and no as 0, words of enumerations.
 template <class T>
 [[nodiscard]] QVariant storedValue(const T &value) {

@@ -7,6 +7,7 @@
 #include "language/rounding.h"
 #include "register/jsonline.h"
 #include "register/listing.h"
+#include "report/tables/summary.h"
 #include "report/words/wording.h"
 
 #include <QLocale>
@@ -79,24 +80,18 @@ constexpr std::array<std::pair<const char *, Text>, 8> propertyNames{
 
 /// "zone 0 … 500": "Working zone: 0 … 500 mm".
 QString propertyText(const QString &property, bool angular, const Language &language) {
-    QStringList pieces = property.split(u' ');
-    const QByteArray word = pieces.takeFirst().toLatin1();
+    const QByteArray word = property.section(u' ', 0, 0).toLatin1();
+    QString value = property.section(u' ', 1);
     const auto known =
         std::ranges::find_if(propertyNames, [&](const auto &one) { return word == one.first; });
     const QString name = known == propertyNames.end() ? property : language.text(known->second);
-    if (pieces.isEmpty() || known == propertyNames.end())
+    if (value.isEmpty() || known == propertyNames.end())
         return name;
-    if (word != "runs" && word != "compensation" && pieces.size() > 1) { // lengths
-        const Quantity quantity = angular && word == "zone" ? Quantity::angle : Quantity::position;
-        for (QString &piece : pieces) {
-            bool isNumber = false;
-            const double number = piece.toDouble(&isNumber);
-            piece = isNumber ? language.number(number, quantity, -1) : piece;
-        }
-        pieces << language.unit(quantity);
-    }
-    return language.sentence(
-        {REPORT_TEXT("report", "%1: %2"), {name.toStdString(), pieces.join(QChar::Nbsp).toStdString()}});
+    if (word != "runs" && word != "compensation" && value.contains(u' '))
+        value =
+            lengthsText(value, angular && word == "zone" ? Quantity::angle : Quantity::position, language);
+    return language.sentence({REPORT_TEXT("report", "%1: %2"),
+                              {name.toStdString(), value.replace(u' ', QChar::Nbsp).toStdString()}});
 }
 
 } // namespace

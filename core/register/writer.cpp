@@ -193,17 +193,14 @@ void RegisterWriter::insertTest(int id, const RegisteredTest &test) {
                    QString::fromStdString(test.model), QString::fromStdString(test.serialNumber)},
                   QString::fromStdString(test.location));
     m_touched.insert(machine);
-    m_database.insert(
-        QStringLiteral(
-            "test (id, digest, machine, name, manufacturer, model, serial, location, kind, title, word, "
-            "edition, axis, angular, date, time, feed, travel, setup, correction, purpose, role, verdict, "
-            "rule, accordance, unmet, undeclared, departures, fingerprint, parts, awaits)"),
-        storedValues(id, test.digest, machine, test.machineName, test.manufacturer, test.model,
-                     test.serialNumber, test.location, test.kind, test.title, test.id, test.edition,
-                     test.axis, test.angular, test.date, test.time, test.feed, test.travel, test.setUp,
-                     test.correction, test.purpose, test.role, test.verdict, test.rule, test.accordance,
-                     test.counts.unmet, test.counts.undeclared, test.counts.departures, test.fingerprint,
-                     partsText(test.parts), test.awaitsSimulation));
+    m_database.insert(QStringLiteral("test (") + testColumns + u')',
+                      storedValues(id, test.digest, machine, test.machineName, test.manufacturer, test.model,
+                                   test.serialNumber, test.location, test.kind, test.title, test.id,
+                                   test.edition, test.axis, test.angular, test.date, test.time, test.feed,
+                                   test.travel, test.setUp, test.correction, test.purpose, test.role,
+                                   test.verdict, test.rule, test.accordance, test.counts.unmet,
+                                   test.counts.undeclared, test.counts.departures, test.fingerprint,
+                                   partsText(test.parts), test.awaitsSimulation));
     insertResults(id, test);
     int position = 0;
     for (const RegisteredInstrument &instrument : test.instruments)
@@ -216,12 +213,9 @@ void RegisterWriter::insertTest(int id, const RegisteredTest &test) {
 }
 
 void RegisterWriter::insertResults(int id, const RegisteredTest &test) {
-    const QString columns =
-        QStringLiteral("result (test, position, id, value, expanded, k, bound, limit_value, guard, verdict, "
-                       "own, shared, factor, whole, decimals, udecimals)");
     int position = 0;
     for (const RegisteredResult &result : test.results)
-        m_database.insert(columns,
+        m_database.insert(QStringLiteral("result (") + resultColumns + u')',
                           storedValues(id, ++position, result.id, result.value, result.expandedUncertainty,
                                        result.k, static_cast<int>(result.bound), result.limit,
                                        result.guardBand, result.verdict, result.own,

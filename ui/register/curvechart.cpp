@@ -42,8 +42,7 @@ constexpr QSize sampleSize(54, 18);
 constexpr int leastRows = 2; ///< of the list of curves, always visible
 
 /// Axes that include all points, with round ticks.
-void addAxes(QChart &chart, const QPalette &palette, const QString &title, const QString &unit,
-             const QString &positionUnit) {
+void addAxes(QChart &chart, const QPalette &palette, const QString &title, const QString &positionTitle) {
     double left = 0;
     double right = 1;
     double least = 0;
@@ -74,8 +73,28 @@ void addAxes(QChart &chart, const QPalette &palette, const QString &title, const
             series->attachAxis(axis);
         QObject::connect(axis, &QValueAxis::rangeChanged, axis, [axis, range] { fillTicks(*axis, range); });
     };
-    add(x, Qt::AlignBottom, QStringLiteral("P ") + positionUnit);
-    add(y, Qt::AlignLeft, title + u' ' + unit);
+    add(x, Qt::AlignBottom, positionTitle);
+    add(y, Qt::AlignLeft, title);
+}
+
+/// Returns the stretches of values without gaps, in the units of a chart.
+QList<QList<QPointF>> stretches(const std::vector<PlacedValue> &values, const QPointF &scales) {
+    QList<QList<QPointF>> result{{}};
+    for (const PlacedValue &value : values) {
+        if (value.value)
+            result.back().emplace_back(value.position * scales.x(), *value.value * scales.y());
+        else
+            result.emplace_back();
+    }
+    result.removeAll(QList<QPointF>());
+    return result;
+}
+
+QLineSeries *lineThrough(const QList<QPointF> &points, const QPen &pen) {
+    auto *line = new QLineSeries;
+    line->append(points);
+    line->setPen(pen);
+    return line;
 }
 
 QScatterSeries::MarkerShape markerOf(std::size_t curve) {
@@ -277,19 +296,28 @@ void CurveComparison::retranslate() {
     m_second->setAccessibleName(tr("Curve that is taken off"));
 }
 
-double CurveComparison::scale() const {
-    const bool angular = !m_tests.empty() && m_tests.front().test.angular;
-    return unitScale(angular ? Quantity::angularDeviation : Quantity::deviation, windowLanguage().units());
+bool CurveComparison::isAngular() const {
+    return !m_tests.empty() && m_tests.front().test.angular;
 }
 
-QString CurveComparison::unit() const {
-    const bool angular = !m_tests.empty() && m_tests.front().test.angular;
-    return windowLanguage().unit(angular ? Quantity::angularDeviation : Quantity::deviation);
+Quantity CurveComparison::valueQuantity() const {
+    return isAngular() ? Quantity::angularDeviation : Quantity::deviation;
 }
 
 Quantity CurveComparison::positionQuantity() const {
-    const bool angular = !m_tests.empty() && m_tests.front().test.angular;
-    return angular ? Quantity::angle : Quantity::position;
+    return isAngular() ? Quantity::angle : Quantity::position;
+}
+
+QPointF CurveComparison::scales() const {
+    const DisplayUnits &units = windowLanguage().units();
+    return {unitScale(positionQuantity(), units), unitScale(valueQuantity(), units)};
+}
+
+/// Axes in the units of the window.
+void CurveComparison::addAxes(QChart &chart, const QString &title) const {
+    const Language &language = windowLanguage();
+    ui::addAxes(chart, palette(), title + u' ' + language.unit(valueQuantity()),
+                QStringLiteral("P ") + language.unit(positionQuantity()));
 }
 
 QPen CurveComparison::penOf(std::size_t curve) const {
@@ -323,29 +351,13 @@ void CurveComparison::rebuild() {
     clear(chart);
     chart.setBackgroundBrush(palette().color(QPalette::Base));
     std::vector<TaggedChart::Tag> tags;
-    const double along = unitScale(positionQuantity(), windowLanguage().units());
     for (std::size_t i = 0; i < m_tests.size(); ++i) {
-        const RegisteredTest &test = m_tests[i].test;
         const QPen pen = penOf(i);
-        auto *line = new QLineSeries;
         auto *marks = new QScatterSeries;
-        const auto end = [&] {
-            if (line->count() > 0) {
-                line->setPen(pen);
-                chart.addSeries(line);
-                line = new QLineSeries;
-            }
-        };
-        for (const PlacedValue &value : meansOf(test.curve, m_of)) {
-            if (!value.value) { // a gap between its neighbours
-                end();
-                continue;
-            }
-            line->append(value.position * along, *value.value * scale());
-            marks->append(value.position * along, *value.value * scale());
+        for (const QList<QPointF> &points : stretches(meansOf(m_tests[i].test.curve, m_of), scales())) {
+            chart.addSeries(lineThrough(points, pen));
+            marks->append(points);
         }
-        end();
-        delete line;
         marks->setMarkerSize(7);
         marks->setMarkerShape(markerOf(i));
         marks->setColor(isFilled(i) ? pen.color() : palette().color(QPalette::Base));
@@ -354,7 +366,7 @@ void CurveComparison::rebuild() {
             tags.push_back({static_cast<int>(i) + 1, marks->points().last()});
         chart.addSeries(marks);
     }
-    addAxes(chart, palette(), QStringLiteral("x̄"), unit(), windowLanguage().unit(positionQuantity()));
+    addAxes(chart, QStringLiteral("x̄"));
     m_curves->setTags(std::move(tags));
     showList();
     rebuildDifference();
@@ -382,7 +394,8 @@ QString CurveComparison::listOf(int mostWords) const {
         QStringLiteral("<td align='%1' valign='middle' style='padding:1px 8px 1px 0'>%2</td>");
     QString html = QStringLiteral("<table width='100%'><tr>") +
                    cell.arg(QStringLiteral("left"), strut() + tr("Test")) +
-                   cell.arg(QStringLiteral("left"), QString()) + cell.arg(QStringLiteral("right"), unit());
+                   cell.arg(QStringLiteral("left"), QString()) +
+                   cell.arg(QStringLiteral("right"), windowLanguage().unit(valueQuantity()));
     for (const std::string &parameter : parameters)
         html += cell.arg(QStringLiteral("right"), plainSymbolOf(parameter).toHtmlEscaped());
     html += QStringLiteral("</tr>");
@@ -395,11 +408,10 @@ QString CurveComparison::listOf(int mostWords) const {
                          (test.date ? windowLanguage().shortDate(*test.date) : QString()).toHtmlEscaped()) +
                 cell.arg(QStringLiteral("left"), words.toHtmlEscaped());
         for (const std::string &parameter : parameters) {
-            const auto result = std::ranges::find(test.results, parameter, &RegisteredResult::id);
+            const RegisteredResult *result = resultOf(test, parameter);
             html += cell.arg(QStringLiteral("right"),
-                             result == test.results.end()
-                                 ? QStringLiteral("–")
-                                 : shownResult(*result, test.angular, windowLanguage()).value);
+                             result ? shownResult(*result, test.angular, windowLanguage()).value
+                                    : QStringLiteral("–"));
         }
         html += QStringLiteral("</tr>");
     }
@@ -452,14 +464,10 @@ void CurveComparison::rebuildDifference() {
         return;
     }
     const QPen pen = penOf(static_cast<std::size_t>(first));
-    auto *line = new QLineSeries;
-    const auto end = [&] {
-        if (line->count() == 0)
-            return;
+    for (const QList<QPointF> &points : stretches(m_difference->values, scales())) {
+        QLineSeries *line = lineThrough(points, pen);
         auto *zero = new QLineSeries(line);
-        for (const QPointF &point : line->points())
-            zero->append(point.x(), 0);
-        line->setPen(pen);
+        zero->append({{points.front().x(), 0}, {points.back().x(), 0}});
         auto *area = new QAreaSeries(line, zero);
         QColor fill = pen.color();
         fill.setAlphaF(0.20F);
@@ -467,36 +475,23 @@ void CurveComparison::rebuildDifference() {
         area->setPen(Qt::NoPen);
         chart.addSeries(area);
         chart.addSeries(line);
-        line = new QLineSeries;
-    };
-    const double along = unitScale(positionQuantity(), windowLanguage().units());
-    for (const PlacedValue &value : m_difference->values) {
-        if (value.value)
-            line->append(value.position * along, *value.value * scale());
-        else
-            end();
     }
-    end();
-    delete line;
-    addAxes(chart, palette(), QStringLiteral("Δx̄"), unit(), windowLanguage().unit(positionQuantity()));
+    addAxes(chart, QStringLiteral("Δx̄"));
     sayDifference(pen.color());
 }
 
 void CurveComparison::sayDifference(const QColor &ink) {
-    const bool angular = m_tests.front().test.angular;
     const Quantity position = positionQuantity();
     m_travel->setText(tr("common travel %1 to %2")
                           .arg(windowLanguage().number(m_difference->from, position, 0),
                                windowLanguage().quantity(m_difference->to, position, 0)));
     if (m_difference->largest) {
         const PlacedValue &largest = *m_difference->largest;
-        const QString where =
-            windowLanguage().quantity(*largest.value,
-                                      angular ? Quantity::angularDeviation : Quantity::deviation, 1) +
-            QStringLiteral(" · ") + windowLanguage().quantity(largest.position, position, 0);
-        m_differences->setBox(
-            {largest.position * unitScale(position, windowLanguage().units()), *largest.value * scale()},
-            *largest.value > 0 ? u'+' + where : where, ink);
+        const QString where = windowLanguage().quantity(*largest.value, valueQuantity(), 1) +
+                              QStringLiteral(" · ") +
+                              windowLanguage().quantity(largest.position, position, 0);
+        m_differences->setBox({largest.position * scales().x(), *largest.value * scales().y()},
+                              *largest.value > 0 ? u'+' + where : where, ink);
     }
 }
 

@@ -72,10 +72,12 @@ private:
     [[nodiscard]] QString listOf(int mostWords) const;
     void fitList();
     [[nodiscard]] int heightOfOthers() const;
+    [[nodiscard]] bool isAngular() const;
+    [[nodiscard]] Quantity valueQuantity() const;
     [[nodiscard]] Quantity positionQuantity() const;
     [[nodiscard]] QPen penOf(std::size_t curve) const;
-    [[nodiscard]] double scale() const;
-    [[nodiscard]] QString unit() const;
+    [[nodiscard]] QPointF scales() const; ///< from mm or degrees to the units of the window
+    void addAxes(QChart &chart, const QString &title) const;
 
     std::vector<ListedTest> m_tests;
     CurveOf m_of = CurveOf::both;

@@ -43,12 +43,14 @@ MarkLook lookOf(const AxisState &state) {
     return {QStringLiteral("ques"), Token::secondaryText};
 }
 
-/// Beside its name: the serial number, or the mark of a machine without one.
+/// Beside its name: the serial number, or the mark of a machine without one, its maker and type.
 void drawEvidence(QPainter &painter, QRect area, const MachineRow &row, const QPalette &palette) {
     QString text = row.machine.serialNumber;
     QColor colour = token(Token::secondaryText, palette);
     if (!row.machine.isIdentified) {
         text = MachineModel::tr("not identified");
+        for (const QString &fact : {row.machine.manufacturer, row.machine.model})
+            text += fact.isEmpty() ? QString() : QStringLiteral(" · ") + fact;
         colour = token(Token::unsure, palette);
         drawLineIcon(painter, QRect(area.left(), area.top(), machineMarkSize, area.height()),
                      QStringLiteral("ques"), colour);

@@ -36,6 +36,7 @@ TestsView::TestsView() {
     setShowGrid(false);
     setFrameShape(NoFrame);
     setEditTriggers(NoEditTriggers);
+    setTabKeyNavigation(false); // the next widget follows, not the next cell
     setHorizontalScrollMode(ScrollPerPixel);
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(tableRowHeight);
@@ -124,7 +125,7 @@ void TestsView::fitColumns() {
     setColumnHidden(limits, false); // may be hidden for another axis
     setColumnHidden(limits + 1, false);
     setColumnWidth(limits, std::max(limitsWidth, columnWidth(limits) + markPadding));
-    const int last = std::max(accordanceWidth, columnWidth(limits + 1) + markPadding);
+    const int last = std::max(accordanceWidth, sizeHintForColumn(limits + 1) + markPadding);
     setColumnWidth(limits + 1, last);
     int tooWide = last - viewport()->width(); // the last column takes the rest
     for (int i = 0; i <= limits; ++i)

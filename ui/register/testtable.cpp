@@ -21,11 +21,6 @@ namespace {
 
 constexpr std::size_t mostResults = 5;
 
-const RegisteredResult *resultOf(const RegisteredTest &test, const std::string &id) {
-    const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
-    return found == test.results.end() ? nullptr : &*found;
-}
-
 TrendMark markOf(TestRole role) {
     return role == TestRole::asLeft    ? TrendMark::asLeft
            : role == TestRole::asFound ? TrendMark::asFound

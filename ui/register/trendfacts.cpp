@@ -7,6 +7,7 @@
 #include "ui/measures.h"
 #include "ui/windowlanguage.h"
 
+#include <QGuiApplication>
 #include <QScrollArea>
 
 namespace palmer::ui {
@@ -63,9 +64,9 @@ void TrendFacts::setTrend(const MachineTrend &trend) {
         html += QStringLiteral("<tr><td style='padding:2px 8px 2px 0'>%1</td><td align='right'>%2</td></tr>")
                     .arg(fact.key.toHtmlEscaped(), inPieces(fact.value).toHtmlEscaped());
     html += QStringLiteral("</table>");
-    html +=
-        QStringLiteral("<p style='color:%1'><small>%2</small></p>")
-            .arg(token(Token::secondaryText, palette()).name(), trendMethod(trend, language).toHtmlEscaped());
+    html += QStringLiteral("<p style='color:%1'><small>%2</small></p>")
+                .arg(token(Token::secondaryText, QGuiApplication::palette()).name(),
+                     trendMethod(trend, language).toHtmlEscaped());
     m_text->setText(html);
 }
 

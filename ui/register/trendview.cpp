@@ -52,8 +52,8 @@ QLayout *TrendView::makeHead(const RegisterMenus &menus) {
 
 void TrendView::changeEvent(QEvent *event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) // its colours are set once
-        showLegend();
+    if (event->type() == QEvent::PaletteChange) // the colours of the texts are set once
+        showTrend();
 }
 
 void TrendView::retranslate() {

@@ -82,7 +82,8 @@ SummaryTest identified(const EvaluatedDocument &evaluated, std::size_t index, co
             evaluation.edition ? evaluation.edition->word : "",
             test.purpose,
             test.role,
-            positioning && positioning->zone ? shortText(*positioning->zone) : ""};
+            positioning && positioning->zone ? shortText(*positioning->zone) : "",
+            motionOf(test) == Motion::rotary};
 }
 
 } // namespace
@@ -91,11 +92,22 @@ std::string shortText(const Interval &interval) {
     return shortest(interval.from) + " … " + shortest(interval.to);
 }
 
+QString lengthsText(const QString &lengths, Quantity quantity, const Language &language) {
+    QStringList pieces = lengths.split(u' ');
+    for (QString &piece : pieces) {
+        bool isNumber = false;
+        const double number = piece.toDouble(&isNumber);
+        piece = isNumber ? language.number(number, quantity, -1) : piece;
+    }
+    return (pieces << language.unit(quantity)).join(QChar::Nbsp);
+}
+
 QStringList summaryCells(const SummaryTest &test, SummaryForm form, const Language &language) {
     const bool csv = form == SummaryForm::csv;
     const auto word = [&](auto value, const Text &text) {
         return text.empty() ? QString() : csv ? QString::fromUtf8(fileWord(value)) : language.text(text);
     };
+    const QString zone = QString::fromStdString(test.zone);
     QStringList cells{test.file, QString::number(test.test)};
     for (const std::string *text :
          {&test.machine, &test.manufacturer, &test.model, &test.serialNumber, &test.reportNumber, &test.axis})
@@ -103,7 +115,10 @@ QStringList summaryCells(const SummaryTest &test, SummaryForm form, const Langua
     return cells << (csv || test.date.empty() ? QString::fromStdString(test.date)
                                               : language.shortDate(test.date))
                  << QString::fromStdString(test.edition) << word(test.purpose, purposeText(test.purpose))
-                 << word(test.role, roleText(test.role)) << QString::fromStdString(test.zone);
+                 << word(test.role, roleText(test.role))
+                 << (csv || zone.isEmpty()
+                         ? zone
+                         : lengthsText(zone, test.angular ? Quantity::angle : Quantity::position, language));
 }
 
 QString summaryAccordance(Accordance accordance, SummaryForm form, const Language &language) {

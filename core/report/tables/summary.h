@@ -34,10 +34,14 @@ struct SummaryTest {
     Purpose purpose = Purpose::notStated;
     TestRole role = TestRole::notStated;
     std::string zone; ///< of a long axis: "0 … 2000"
+    bool angular = false;
 };
 
 /// "0 … 2000".
 [[nodiscard]] std::string shortText(const Interval &interval);
+
+/// Returns the numbers of "0 … 2000" or "X 10 Z 120" as they are shown, with their unit.
+[[nodiscard]] QString lengthsText(const QString &lengths, Quantity quantity, const Language &language);
 
 /// Its cells, the first of each row.
 [[nodiscard]] QStringList summaryCells(const SummaryTest &test, SummaryForm form, const Language &language);

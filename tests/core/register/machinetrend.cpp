@@ -376,9 +376,11 @@ private slots:
                           test.certificateDue.value_or("-") + "; ";
             return result;
         };
-        QCOMPARE(said(machine, {}), std::string("Y - -; Y - -; Z - -; X - -; X - 2027-01-31; "));
+        QCOMPARE(said(machine, {}),
+                 std::string("Y - -; Y - 2027-01-31; Z - 2027-01-31; X - -; X - 2027-01-31; "));
         // Half a year later has no 31st; Z was never tested for that.
-        const std::string due = "Y - -; Y 2025-12-01 -; Z - -; X 2026-02-28 -; X - 2027-01-31; ";
+        const std::string due =
+            "Y - -; Y 2025-12-01 2027-01-31; Z - 2027-01-31; X 2026-02-28 -; X - 2027-01-31; ";
         QCOMPARE(said(machine, 6), due);
         (void)chooseMachine(reg, machine, nullptr, 6, Language(Language::Id::english));
         const auto set = machines(reg.database());

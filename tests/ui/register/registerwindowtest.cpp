@@ -326,6 +326,51 @@ private slots:
         QCOMPARE(m_service->result().tests, 4);
     }
 
+    /// From the search to an opened test without a mouse, seen in the dark.
+    void drivenByKeysAloneInTheDark() {
+        scan();
+        const auto back = qScopeGuard([] { setThemeChoice(ThemeChoice::light); });
+        setThemeChoice(ThemeChoice::dark);
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        const auto press = [](Qt::Key key, Qt::KeyboardModifiers with = {}) {
+            QTest::keyClick(QApplication::focusWidget(), key, with);
+        };
+        const auto tabTo = [&](const QString &name) {
+            QStringList walked;
+            while (QApplication::focusWidget()->objectName() != name && walked.size() < 60) {
+                walked << QApplication::focusWidget()->objectName();
+                press(Qt::Key_Tab);
+            }
+            return walked.size() < 60 ? QString() : name + " is not among " + walked.join(", ");
+        };
+        QTest::keyClick(m_window.get(), Qt::Key_F, Qt::ControlModifier);
+        for (const char *name :
+             {"machineSearch", "machinesToDo", "machines", "interval", "filterAxis", "filterLimits", "tests",
+              "parameter A", "evaluateUnder", "trendChart", "copyTrend", "maximiseTrend", "machineSearch"})
+            QCOMPARE(tabTo(name), QString());
+        QTest::keyClicks(QApplication::focusWidget(), "machine 2");
+        QCOMPARE(tabTo("machines"), QString());
+        settle();
+        QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 2"));
+        QCOMPARE(tabTo("filterPurpose"), QString());
+        press(Qt::Key_Down);
+        auto *menu = find<FilterChip>("filterPurpose")->menu();
+        QVERIFY(menu->isVisible());
+        QTest::keyClick(menu, Qt::Key_Escape);
+        QCOMPARE(tabTo("tests"), QString());
+        press(Qt::Key_Down);
+        QCOMPARE(selected().size(), 1);
+        const QSignalSpy opened(m_window.get(), &RegisterWindow::openAsked);
+        press(Qt::Key_Return);
+        QCOMPARE(opened.size(), 1);
+        // Texts that carry their colours have those of the dark.
+        for (const char *name : {"trendLegend", "trendFacts"}) {
+            const QString text = find<QLabel>(name)->text();
+            QVERIFY2(text.contains(token(Token::secondaryText, m_window->palette()).name()),
+                     qPrintable(text));
+        }
+    }
+
     void theStatusBarCounts() {
         scan();
         auto *tests = find<QTableView>("tests");
