@@ -290,6 +290,7 @@ void RegisterWindow::joinMachine() {
     const MachineRow *chosen = m_side->chosen();
     if (!chosen)
         return;
+    constexpr QSize roomForNames(560, 320);
     QStringList names;
     std::vector<ListedMachine> others;
     for (const MachineRow &row : m_side->machines().all()) {
@@ -306,6 +307,7 @@ void RegisterWindow::joinMachine() {
     dialog->setComboBoxItems(names);
     dialog->setOption(QInputDialog::UseListViewForComboBoxItems);
     dialog->setOkButtonText(tr("&Join"));
+    dialog->resize(roomForNames);
     connect(dialog, &QInputDialog::textValueSelected, this,
             [this, machine = chosen->machine, others, names](const QString &name) {
                 choose(machine, others.at(static_cast<std::size_t>(names.indexOf(name))), {});

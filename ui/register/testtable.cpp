@@ -93,8 +93,8 @@ QVariant accordanceData(const RegisteredTest &test, int role) {
 }
 
 QVariant dateData(const RegisteredTest &test, int role) {
-    if (!test.date)
-        return QString();
+    if (!test.date || (role != Qt::DisplayRole && role != TestTableModel::sortRole))
+        return {};
     return role == TestTableModel::sortRole ? QString::fromStdString(*test.date + test.time.value_or(""))
                                             : windowLanguage().shortDate(*test.date);
 }

@@ -329,7 +329,7 @@ private slots:
     /// From the search to an opened test without a mouse, seen in the dark.
     void drivenByKeysAloneInTheDark() {
         scan();
-        const auto back = qScopeGuard([] { setThemeChoice(ThemeChoice::light); });
+        const auto back = qScopeGuard([before = themeChoice()] { setThemeChoice(before); });
         setThemeChoice(ThemeChoice::dark);
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         const auto press = [](Qt::Key key, Qt::KeyboardModifiers with = {}) {
@@ -345,7 +345,7 @@ private slots:
         };
         QTest::keyClick(m_window.get(), Qt::Key_F, Qt::ControlModifier);
         for (const char *name :
-             {"machineSearch", "machinesToDo", "machines", "interval", "filterAxis", "filterLimits", "tests",
+             {"machineSearch", "allMachines", "machines", "interval", "filterAxis", "filterLimits", "tests",
               "parameter A", "evaluateUnder", "trendChart", "copyTrend", "maximiseTrend", "machineSearch"})
             QCOMPARE(tabTo(name), QString());
         QTest::keyClicks(QApplication::focusWidget(), "machine 2");
@@ -359,6 +359,7 @@ private slots:
         QTest::keyClick(menu, Qt::Key_Escape);
         QCOMPARE(tabTo("tests"), QString());
         press(Qt::Key_Down);
+        press(Qt::Key_Space);
         QCOMPARE(selected().size(), 1);
         const QSignalSpy opened(m_window.get(), &RegisterWindow::openAsked);
         press(Qt::Key_Return);
@@ -870,6 +871,10 @@ private slots:
                 qPrintable(QString("%1: %2 of %3").arg(width).arg(used).arg(tests->viewport()->width())));
             QVERIFY(!tests->isColumnHidden(tests->model()->columnCount() - 1));
             QVERIFY(!tests->isColumnHidden(TestTableModel::firstResult));
+            const QModelIndex date = tests->model()->index(0, TestTableModel::dateColumn);
+            QVERIFY(tests->fontMetrics().horizontalAdvance(date.data().toString()) <
+                    tests->columnWidth(TestTableModel::dateColumn));
+            QVERIFY(!date.data(TestTableModel::iconRole).isValid()); // it would be cut for a mark
         }
     }
 
