@@ -104,6 +104,16 @@ template <auto member, class Case>
 bool inHead(const Case &test) {
     return (*test.surroundings.accredited).*member;
 }
+template <class Case>
+bool calibrated(const Case &test) {
+    return std::ranges::all_of(test.surroundings.instruments, [](const Instrument *i) {
+        return !isBlank(i->calibratedBy) || !isBlank(i->traceability.laboratory);
+    });
+}
+template <class Case>
+bool evaluatesUncertainty(const Case &test) {
+    return *methodOf(test.test) != UncertaintyMethod::none;
+}
 // clang-format off
 template <class Case>
 inline constexpr std::array checkTable{
@@ -118,10 +128,11 @@ inline constexpr std::array checkTable{
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::number, Case>>, REPORT_TEXT("report", "number of the report"), {}, {"report.number"}},
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::issueDate, Case>>, REPORT_TEXT("report", "date of issue"), {}, {"report.date"}},
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::place, Case>>, REPORT_TEXT("report", "place of the tests"), {}, {"report.place"}},
-    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::customer, Case>>, REPORT_TEXT("report", "customer with address"), {}, {"report.customer.name", "report.customer.address"}},
-    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::authorised, Case>>, REPORT_TEXT("report", "who authorises the report"), {}, {"report.authorisedBy.name"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::customer, Case>>, REPORT_TEXT("report", "customer with address"), {}, {"report.customer"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::authorised, Case>>, REPORT_TEXT("report", "who authorises the report"), {}, {"report.authorisedBy"}},
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::machine, accredited<Case>, stating<stated::ofMachine<&Machine::condition, Case>>, REPORT_TEXT("report", "condition of the machine"), {}, {"machine.condition"}},
-    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::instruments, accredited<Case>, stating<stated::ofInstruments<&Instrument::calibratedBy, Case>>, REPORT_TEXT("report", "who calibrated each instrument"), {}, {"instruments.calibratedBy"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::instruments, accredited<Case>, stating<calibrated<Case>>, REPORT_TEXT("report", "who calibrated each instrument"), {}, {"instruments.calibratedBy"}},
+    RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::uncertainty, accredited<Case>, stating<evaluatesUncertainty<Case>>, REPORT_TEXT("report", "measurement uncertainty"), {}, {"uncertainty.method"}},
 };
 
 template <class Case>

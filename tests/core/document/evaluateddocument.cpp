@@ -143,18 +143,25 @@ private slots:
         };
         QVERIFY(lacking().empty());
         document.report.laboratory.accreditation = "2-0001";
+        editMeasurement<PositioningMeasurement>(
+            document, 0, [](auto &measured) { measured.uncertainty.method = UncertaintyMethod::none; });
         const std::pair<const char *, Edit> statements[]{
             {"report.laboratory.address", [](Document &d) { d.report.laboratory.address = "Street 1"; }},
             {"report.number", [](Document &d) { d.report.number = "R-1"; }},
             {"report.date", [](Document &d) { d.report.date = "2026-11-20"; }},
             {"report.place", [](Document &d) { d.report.place = "Hall 2"; }},
-            {"report.customer.name",
+            {"report.customer",
              [](Document &d) {
                  d.report.customer = {"Customer", "Street 2"};
              }},
-            {"report.authorisedBy.name", [](Document &d) { d.report.authorisedBy.name = "B. Durand"; }},
+            {"report.authorisedBy", [](Document &d) { d.report.authorisedBy.name = "B. Durand"; }},
             {"machine.condition", [](Document &d) { d.machine.condition = "new"; }},
             {"instruments.calibratedBy", [](Document &d) { d.instruments[0].calibratedBy = "Institute"; }},
+            {"uncertainty.method",
+             [](Document &d) {
+                 editMeasurement<PositioningMeasurement>(
+                     d, 0, [](auto &measured) { measured.uncertainty.method = UncertaintyMethod::budget; });
+             }},
         };
         QCOMPARE(lacking().size(), std::size(statements));
         for (const auto &[key, state] : statements) {
