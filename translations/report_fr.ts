@@ -9300,7 +9300,7 @@
     </message>
     <message>
         <source>Expanded uncertainties are evaluated according to the GUM (JCGM 100) and stated with the coverage factor k = 2, a coverage probability of about 95 %; simulated ones (JCGM 101) are half of the shortest interval that holds 95.45 %.</source>
-        <translation>Les incertitudes étendues sont évaluées selon le GUM (JCGM 100) et indiquées avec le facteur conventionnel k = 2, soit une probabilité de couverture d’environ 95 %&#x202f;; celles obtenues par simulation (JCGM 101) sont la moitié du plus petit intervalle contenant 95,45 %.</translation>
+        <translation>Les incertitudes étendues sont évaluées selon le GUM (JCGM 100) et indiquées avec le facteur conventionnel k = 2, soit une probabilité de couverture d’environ 95&#xa0;%&#x202f;; celles obtenues par simulation (JCGM 101) sont la moitié du plus petit intervalle contenant 95,45&#xa0;%.</translation>
     </message>
     <message>
         <source>who authorises the report</source>
@@ -9397,6 +9397,10 @@
     <message>
         <source>country of the laboratory</source>
         <translation>pays du laboratoire</translation>
+    </message>
+    <message>
+        <source>traceable to %1</source>
+        <translation>raccordé à %1</translation>
     </message>
 </context>
 </TS>

@@ -75,12 +75,12 @@ QString traceabilityText(const Writer &write, const Instrument &instrument) {
     const auto named = [&](const Text &words, const std::string &name) {
         return name.empty() ? QString() : write.say(words, {name});
     };
-    return joined({named(REPORT_TEXT("report", "calibrated by %1"),
-                         traced.laboratory.empty() ? instrument.calibratedBy : traced.laboratory),
+    constexpr Text certificate = REPORT_TEXT("report", "certificate %1");
+    return joined({named(REPORT_TEXT("report", "calibrated by %1"), instrument.calibratedBy),
+                   named(certificate, instrument.certificate), dateText(write, instrument.calibrationDate),
+                   named(REPORT_TEXT("report", "traceable to %1"), traced.laboratory),
                    named(REPORT_TEXT("report", "accreditation %1"), traced.accreditation),
-                   named(REPORT_TEXT("report", "certificate %1"),
-                         traced.certificate.empty() ? instrument.certificate : traced.certificate),
-                   dateText(write, instrument.calibrationDate)});
+                   named(certificate, traced.certificate)});
 }
 
 void addTraceability(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated) {
@@ -111,8 +111,10 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
              shortDate(instrument.calibrationDue),
              write.quantity(instrument.resolution, resolutionQuantity(*evaluated.document, instrument))});
     for (std::size_t i = 0; i < instruments.size(); ++i) {
-        if (instruments[i].traceability != Traceability())
-            table.rows[i].front().notes.push_back({traceabilityText(write, instruments[i])});
+        Instrument traced; // the calibration stands in its columns
+        traced.traceability = instruments[i].traceability;
+        if (traced.traceability != Traceability())
+            table.rows[i].front().notes.push_back({traceabilityText(write, traced)});
     }
     addHeading(blocks, write.text(REPORT_TEXT("report", "Traceability of the instruments")));
     blocks.emplace_back(std::move(table));

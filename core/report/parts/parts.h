@@ -230,7 +230,7 @@ void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPar
 /// test by test. Tests as found are only informative if there are others.
 void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
-/// "calibrated by …, accreditation …, certificate …, 20 November 2026"; empty if nothing is stated.
+/// "calibrated by …, certificate …, <day>, traceable to …, accreditation …, certificate …", as far as stated.
 [[nodiscard]] QString traceabilityText(const Writer &write, const Instrument &instrument);
 
 /// Adds the instruments of all tests with their traceability.
