@@ -235,7 +235,7 @@ int runExport(const Invocation &invocation) {
         CompensationTable made;
         std::size_t index = 0;
         if (form == QLatin1StringView("dcc")) {
-            requireForDcc(*evaluated.document, invocation.language);
+            requireForDcc({evaluated.document, {}, {}, {}}, invocation.language);
             bytes = dcc(simulated(evaluated, SimulateWhich::monteCarloOnly, 0, invocation.language));
         } else if (form == QLatin1StringView("json")) {
             bytes = readingsJson(evaluated, file, names);

@@ -138,10 +138,10 @@ private:
         if (!m_inputs.several && !m_edition.empty())
             requireTestOf(*findEdition(m_edition), document);
         warnOfLength(document);
+        const auto whole = std::make_shared<const Document>(std::move(document));
         const bool certified = m_invocation.has(dccOption);
         if (certified)
-            requireForDcc(document, m_invocation.language);
-        const auto whole = std::make_shared<const Document>(std::move(document));
+            requireForDcc({whole, {}, {}, {}}, m_invocation.language);
         const Originals originals =
             m_invocation.has(originalsOption) ? Originals::include : Originals::leaveOut;
         // Written during the evaluation and then compressed: for 10⁶ readings each takes longer than all

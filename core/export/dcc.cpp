@@ -24,6 +24,7 @@ namespace palmer {
 namespace {
 
 constexpr double usualCoverage = 0.95; ///< of k = 2
+constexpr Text limitWord = REPORT_TEXT("report", "Limit");
 
 /// First and last day of the tests: as stated in the head, otherwise of the tests that state theirs.
 std::optional<std::string> dayOf(const Document &document, bool last) {
@@ -38,35 +39,9 @@ std::optional<std::string> dayOf(const Document &document, bool last) {
     return day ? day : last ? head.performedFrom : head.performedTo;
 }
 
-/// What a certificate is obliged to state, with its name.
-struct Obliged {
-    Text name;
-    std::string (*value)(const Document &);
-};
-
-constexpr std::array obliged{
-    Obliged{REPORT_TEXT("report", "number of the report"), [](const Document &d) { return d.report.number; }},
-    Obliged{REPORT_TEXT("report", "name of the laboratory"),
-            [](const Document &d) { return d.report.laboratory.name; }},
-    Obliged{REPORT_TEXT("report", "country of the laboratory"),
-            [](const Document &d) { return d.report.laboratory.country; }},
-    Obliged{REPORT_TEXT("report", "who authorises the report"),
-            [](const Document &d) { return d.report.authorisedBy.name; }},
-    Obliged{
-        REPORT_TEXT("report", "customer with address"),
-        [](const Document &d) { return d.report.customer.name.empty() ? "" : d.report.customer.address; }},
-    Obliged{REPORT_TEXT("report", "place of the tests"), [](const Document &d) { return d.report.place; }},
-    Obliged{REPORT_TEXT("report", "date of the test"),
-            [](const Document &d) { return dayOf(d, false).value_or(std::string()); }},
-    Obliged{REPORT_TEXT("report", "name of the machine"),
-            [](const Document &d) { return d.machine.name.empty() ? d.machine.model : d.machine.name; }},
-    Obliged{REPORT_TEXT("report", "manufacturer of the machine"),
-            [](const Document &d) { return d.machine.manufacturer; }},
-    Obliged{REPORT_TEXT("report", "serial number of the machine"),
-            [](const Document &d) { return d.machine.serialNumber; }},
-    Obliged{REPORT_TEXT("report", "a test"),
-            [](const Document &d) { return std::string(d.tests.empty() ? "" : "1"); }},
-};
+const std::string &nameOf(const Machine &machine) {
+    return machine.name.empty() ? machine.model : machine.name;
+}
 
 /// Between pass and fail the guard band decides; see dcc.h for tests.
 const char *conformityOf(const Parameter &parameter) {
@@ -114,10 +89,14 @@ private:
 
     // ---- Elements ----
 
-    void within(const char *name, const auto &content) {
-        m_xml.writeStartElement(QString::fromLatin1(name));
+    /// `path`: elements within each other, parted by "/".
+    void within(const char *path, const auto &content) {
+        const QStringList names = QString::fromLatin1(path).split(u'/');
+        for (const QString &name : names)
+            m_xml.writeStartElement(name);
         content();
-        m_xml.writeEndElement();
+        for (qsizetype i = 0; i < names.size(); ++i)
+            m_xml.writeEndElement();
     }
     void leaf(const char *name, const QString &text) {
         m_xml.writeTextElement(QString::fromLatin1(name), text.trimmed());
@@ -151,43 +130,33 @@ private:
     [[nodiscard]] Both both(const Text &words) const { return {m_french.text(words), m_english.text(words)}; }
 
     /// A number in its base unit, with its uncertainty if there is one.
-    void real(
-        double value, Quantity quantity, const QString &label = {}, const auto &uncertainty = [] {}) {
+    void real(double value, Quantity quantity, const std::string &label = {},
+              const Parameter *parameter = nullptr) {
         within("si:real", [&] {
-            if (!label.isEmpty())
-                leaf("si:label", label);
+            leafIfStated("si:label", label);
             leaf("si:value", Decimal(value, quantity).shortest());
             leaf("si:unit", std::string(dsiUnit(quantity)));
-            uncertainty();
+            if (parameter)
+                writeUncertainty(*parameter);
         });
     }
-    void real(double value, Quantity quantity, const QString &label = {}) {
-        real(value, quantity, label, [] {});
-    }
-    void numberWithin(const char *name, const Text &words, double value, Quantity quantity) {
-        within(name, [&] {
-            within("dcc:quantity", [&] {
-                said("dcc:name", words);
-                real(value, quantity);
-            });
+    void quantity(const Text &name, double value, Quantity quantity) {
+        within("dcc:quantity", [&] {
+            said("dcc:name", name);
+            real(value, quantity);
         });
-    }
-    void textWithin(const char *name, const auto &text) {
-        within(name, [&] { said("dcc:text", text); });
     }
 
     // ---- Administrative data ----
 
     void writeAdministration() {
-        within("dcc:dccSoftware", [&] {
-            within("dcc:software", [&] {
-                said("dcc:name", std::string("Palmer"));
-                leaf("dcc:release", QStringLiteral(PALMER_VERSION));
-                leaf("dcc:type", QStringLiteral("application"));
-            });
+        within("dcc:dccSoftware/dcc:software", [&] {
+            said("dcc:name", std::string("Palmer"));
+            leaf("dcc:release", QStringLiteral(PALMER_VERSION));
+            leaf("dcc:type", QStringLiteral("application"));
         });
         within("dcc:coreData", [&] { writeCore(); });
-        within("dcc:items", [&] { within("dcc:item", [&] { writeMachine(); }); });
+        within("dcc:items/dcc:item", [&] { writeMachine(); });
         within("dcc:calibrationLaboratory", [&] {
             const Laboratory &laboratory = head().laboratory;
             leafIfStated("dcc:calibrationLaboratoryCode", laboratory.accreditation);
@@ -217,29 +186,23 @@ private:
             leaf("dcc:issueDate", *head().date);
     }
 
-    void identification(const char *issuer, const std::string &value, const Text &name) {
-        within("dcc:identifications", [&] {
-            within("dcc:identification", [&] {
-                leaf("dcc:issuer", std::string(issuer));
-                leaf("dcc:value", value);
-                said("dcc:name", name);
-            });
-        });
-    }
-
     /// What machines and instruments have in common.
     void writeMake(const std::string &manufacturer, const std::string &model,
                    const std::string &serialNumber) {
         if (!manufacturer.empty())
-            within("dcc:manufacturer", [&] { said("dcc:name", manufacturer); });
+            said("dcc:manufacturer/dcc:name", manufacturer);
         leafIfStated("dcc:model", model);
         if (!serialNumber.empty())
-            identification("manufacturer", serialNumber, REPORT_TEXT("report", "Serial number"));
+            within("dcc:identifications/dcc:identification", [&] {
+                leaf("dcc:issuer", QStringLiteral("manufacturer"));
+                leaf("dcc:value", serialNumber);
+                said("dcc:name", REPORT_TEXT("report", "Serial number"));
+            });
     }
 
     void writeMachine() {
         const Machine &machine = document().machine;
-        said("dcc:name", machine.name.empty() ? machine.model : machine.name);
+        said("dcc:name", nameOf(machine));
         if (!machine.condition.empty())
             said("dcc:description", machine.condition);
         writeMake(machine.manufacturer, machine.model, machine.serialNumber);
@@ -261,7 +224,7 @@ private:
 
     void person(const std::string &name, const std::string &role, bool signs) {
         within("dcc:respPerson", [&] {
-            within("dcc:person", [&] { said("dcc:name", name); });
+            said("dcc:person/dcc:name", name);
             leafIfStated("dcc:role", role);
             leaf("dcc:mainSigner", std::string(signs ? "true" : "false"));
         });
@@ -307,7 +270,7 @@ private:
         if (!test.title.empty())
             said("dcc:description", test.title);
         if (evaluation.edition)
-            within("dcc:usedMethods", [&] { writeMethod(test, *evaluation.edition); });
+            within("dcc:usedMethods/dcc:usedMethod", [&] { writeMethod(test, *evaluation.edition); });
         writeInstruments(test);
         writeConditions(index);
         within("dcc:results", [&] { writeResults(test, evaluation); });
@@ -316,14 +279,12 @@ private:
     }
 
     void writeMethod(const Test &test, const Edition &edition) {
-        within("dcc:usedMethod", [&] {
-            said("dcc:name", both([&](const Language &language) {
-                     return language.text(edition.title.empty() ? kindWords(test).listed : edition.title)
-                         .replace(QLatin1StringView("%1"), QString::fromStdString(axesOf(test)));
-                 }));
-            leaf("dcc:norm", std::string(edition.word));
-            leafIfStated("dcc:reference", head().procedure);
-        });
+        said("dcc:name", both([&](const Language &language) {
+                 return language.text(edition.title.empty() ? kindWords(test).listed : edition.title)
+                     .replace(QLatin1StringView("%1"), QString::fromStdString(axesOf(test)));
+             }));
+        leaf("dcc:norm", std::string(edition.word));
+        leafIfStated("dcc:reference", head().procedure);
     }
 
     void writeInstruments(const Test &test) {
@@ -371,10 +332,7 @@ private:
             for (const auto &[words, value] : {std::pair{REPORT_TEXT("report", "Start"), of.start},
                                                std::pair{REPORT_TEXT("report", "End"), of.end}}) {
                 if (value)
-                    within("dcc:quantity", [&, &words = words, &value = value] {
-                        said("dcc:name", words);
-                        real(*value, Quantity::temperature);
-                    });
+                    quantity(words, *value, Quantity::temperature);
             }
         });
     }
@@ -398,9 +356,8 @@ private:
                 if (!number || !*number || !thing || !thing->form.quantity)
                     continue;
                 numbers << m_english.text(thing->name);
-                condition(both(thing->name), [&] {
-                    within("dcc:quantity", [&] { real(**number, quantityOf(*thing, motionOf(test))); });
-                });
+                condition(both(thing->name),
+                          [&] { quantity(thing->name, **number, quantityOf(*thing, motionOf(test))); });
             }
             const Writer french(m_french);
             const Writer english(m_english);
@@ -436,10 +393,8 @@ private:
                     within("dcc:quantity", [&] { writeParameter(parameter, test, evaluation); });
                 const auto range = rangeAtRest(test);
                 if (range)
-                    within("dcc:quantity", [&] {
-                        said("dcc:name", REPORT_TEXT("report", "Environmental variation E_VE"));
-                        real(*range, deviationQuantity(test));
-                    });
+                    quantity(REPORT_TEXT("report", "Environmental variation E_VE"), *range,
+                             deviationQuantity(test));
                 if (!range && evaluation.parameters.empty())
                     said("dcc:text", REPORT_TEXT("report", "no results"));
             });
@@ -451,28 +406,26 @@ private:
 
     void writeParameter(const Parameter &parameter, const Test &test, const TestEvaluation &evaluation) {
         said("dcc:name", parameter.term.name);
-        const QString symbol = QString::fromStdString(plainSymbol(parameter));
+        const std::string symbol = plainSymbol(parameter);
         if (!parameter.value || !std::isfinite(*parameter.value)) {
             said("dcc:noQuantity", both([&](const Language &language) {
-                     return symbol + QStringLiteral(": ") +
+                     return QString::fromStdString(symbol + ": ") +
                             language.text(
                                 REPORT_TEXT_FOR("report", "no value", "why a limit cannot be evaluated"));
                  }));
         } else {
-            real(*parameter.value, parameter.term.quantity, symbol, [&] { writeUncertainty(parameter); });
+            real(*parameter.value, parameter.term.quantity, symbol, &parameter);
         }
         if (parameter.limit && parameter.limit->value)
-            within("dcc:measurementMetaData", [&] {
-                within("dcc:metaData", [&] {
-                    said("dcc:name", REPORT_TEXT("report", "Limit"));
-                    leaf("dcc:convention", std::string(fileWord(test.decisionRule.rule)));
-                    leaf("dcc:norm", parameter.limit->edition.value_or(evaluation.edition->word));
-                    leafIfStated("dcc:reference", parameter.limit->source);
-                    if (parameter.verdict && parameter.value)
-                        leaf("dcc:conformity", std::string(conformityOf(parameter)));
-                    numberWithin("dcc:data", REPORT_TEXT("report", "Limit"), *parameter.limit->value,
-                                 parameter.term.quantity);
-                });
+            within("dcc:measurementMetaData/dcc:metaData", [&] {
+                said("dcc:name", limitWord);
+                leaf("dcc:convention", std::string(fileWord(test.decisionRule.rule)));
+                leaf("dcc:norm", parameter.limit->edition.value_or(evaluation.edition->word));
+                leafIfStated("dcc:reference", parameter.limit->source);
+                if (parameter.verdict && parameter.value)
+                    leaf("dcc:conformity", std::string(conformityOf(parameter)));
+                within("dcc:data",
+                       [&] { quantity(limitWord, *parameter.limit->value, parameter.term.quantity); });
             });
     }
 
@@ -515,18 +468,16 @@ private:
             });
         };
         said("dcc:name", REPORT_TEXT("report", "Results per target position"));
-        within("dcc:data", [&] {
-            within("dcc:list", [&] {
-                list(REPORT_TEXT("report", "Target positions"), {}, positionQuantity(measurement.axis),
-                     [&](std::size_t i) { return std::optional(measurement.targets[i]); });
-                for (const TargetTerm &term : evaluation.edition->targetTerms) {
-                    if (isShown(term, results))
-                        list(term.name, symbolPhrase(term.symbol).plain(),
-                             deviationQuantity(measurement.axis), [&](std::size_t i) {
-                                 return targetValue(term.id, results.targets[i], evaluation.edition->c);
-                             });
-                }
-            });
+        within("dcc:data/dcc:list", [&] {
+            list(REPORT_TEXT("report", "Target positions"), {}, positionQuantity(measurement.axis),
+                 [&](std::size_t i) { return std::optional(measurement.targets[i]); });
+            for (const TargetTerm &term : evaluation.edition->targetTerms) {
+                if (isShown(term, results))
+                    list(term.name, symbolPhrase(term.symbol).plain(), deviationQuantity(measurement.axis),
+                         [&](std::size_t i) {
+                             return targetValue(term.id, results.targets[i], evaluation.edition->c);
+                         });
+            }
         });
     }
 
@@ -555,15 +506,13 @@ private:
                 continue; // stands with its result
             within("dcc:metaData", [&] {
                 said("dcc:name", both([&](const Language &language) {
-                         return language.text(REPORT_TEXT("report", "Limit")) + u' ' +
-                                QString::fromStdString(limit.symbol);
+                         return language.text(limitWord) + u' ' + QString::fromStdString(limit.symbol);
                      }));
                 said("dcc:declaration", both([&](const Language &language) {
                          return notEvaluableSentence(evaluation, language);
                      }));
                 leaf("dcc:conformity", std::string("noPass"));
-                numberWithin("dcc:data", REPORT_TEXT("report", "Limit"), *limit.limit.value,
-                             deviationQuantity(test));
+                within("dcc:data", [&] { quantity(limitWord, *limit.limit.value, deviationQuantity(test)); });
             });
         }
     }
@@ -576,18 +525,40 @@ private:
 
 } // namespace
 
-std::vector<Text> missingForDcc(const Document &document) {
+std::vector<Text> missingForDcc(const EvaluatedDocument &evaluated) {
+    const Document &document = *evaluated.document;
+    const ReportHead &head = document.report;
+    const Machine &machine = document.machine;
+    const std::array obliged{
+        std::pair{REPORT_TEXT("report", "number of the report"), head.number},
+        std::pair{REPORT_TEXT("report", "name of the laboratory"), head.laboratory.name},
+        std::pair{REPORT_TEXT("report", "country of the laboratory"), head.laboratory.country},
+        std::pair{REPORT_TEXT("report", "who authorises the report"), head.authorisedBy.name},
+        std::pair{REPORT_TEXT("report", "customer with address"),
+                  head.customer.name.empty() ? "" : head.customer.address},
+        std::pair{REPORT_TEXT("report", "place of the tests"), head.place},
+        std::pair{REPORT_TEXT("report", "date of the test"), dayOf(document, false).value_or("")},
+        std::pair{REPORT_TEXT("report", "name of the machine"), nameOf(machine)},
+        std::pair{REPORT_TEXT("report", "manufacturer of the machine"), machine.manufacturer},
+        std::pair{REPORT_TEXT("report", "serial number of the machine"), machine.serialNumber},
+        std::pair{REPORT_TEXT("report", "a test"), std::string(document.tests.empty() ? "" : "1")},
+    };
     std::vector<Text> result;
-    for (const Obliged &one : obliged) {
-        if (QString::fromStdString(one.value(document)).trimmed().isEmpty())
-            result.push_back(one.name);
+    for (const auto &[name, value] : obliged) {
+        if (QString::fromStdString(value).trimmed().isEmpty())
+            result.push_back(name);
     }
+    bool simulationDue = false;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
+        simulationDue = simulationDue || isSimulationDue(evaluated, i, SimulateWhich::monteCarloOnly);
+    if (simulationDue)
+        result.push_back(REPORT_TEXT("report", "U after the simulation"));
     return result;
 }
 
-void requireForDcc(const Document &document, const Language &language) {
+void requireForDcc(const EvaluatedDocument &evaluated, const Language &language) {
     QStringList names;
-    for (const Text &name : missingForDcc(document))
+    for (const Text &name : missingForDcc(evaluated))
         names << language.text(name);
     if (!names.isEmpty())
         throw Error(Error::Kind::content,

@@ -13,11 +13,12 @@ namespace palmer {
 /// The name of the certificate as an attachment of a report.
 inline constexpr const char *dccFileName = "dcc.xml";
 
-/// What the schema of digital calibration certificates obliges and the document does not state.
-[[nodiscard]] std::vector<Text> missingForDcc(const Document &document);
+/// What the schema of digital calibration certificates obliges and the document does not state; and U where a
+/// simulation that is to give it was not run. Before the evaluation only what the document lacks.
+[[nodiscard]] std::vector<Text> missingForDcc(const EvaluatedDocument &evaluated);
 
 /// Throws Error with one sentence that names all of it, in `language`.
-void requireForDcc(const Document &document, const Language &language);
+void requireForDcc(const EvaluatedDocument &evaluated, const Language &language);
 
 /// How D-SI writes the unit in which a quantity is shown: "\micro\metre".
 [[nodiscard]] const char *dsiUnit(Quantity quantity);

@@ -662,7 +662,7 @@ private:
 
     /// Every value, U and limit stands in the digital calibration certificate, in the order of the results.
     void certificate() {
-        if (!missingForDcc(document()).empty())
+        if (!missingForDcc(m_followed.evaluated).empty())
             return;
         const QByteArray bytes = dcc(m_followed.evaluated);
         harmless("the certificate", QString::fromUtf8(bytes));

@@ -512,7 +512,7 @@ QStringList ReportDialog::saveTo(const QString &path) {
         const bool certified = m_certificate->isChecked();
         file = files.constFirst();
         if (certified)
-            requireForDcc(*m_evaluated.document, windowLanguage());
+            requireForDcc(m_evaluated, windowLanguage());
         if (!m_reports.empty())
             attachments =
                 attachmentsOf(m_reports.front().testFileName, m_reports.front().testFile,

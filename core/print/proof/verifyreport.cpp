@@ -325,7 +325,7 @@ Verification verifyReport(const OpenedReport &report) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     const bool certified =
-        !report.parts.certificate.isEmpty() && missingForDcc(*report.evaluated.document).empty();
+        !report.parts.certificate.isEmpty() && missingForDcc(report.evaluated).empty();
     const QByteArray certificate = certified ? dcc(report.evaluated) : QByteArray();
     writePdf(composed, buffer, results, certificate);
 

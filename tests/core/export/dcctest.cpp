@@ -200,9 +200,8 @@ void DccTest::unitsAreThoseOfDSi() {
 }
 
 void DccTest::whatIsMissingIsNamedInOneSentence() {
-    const Document nothing;
     try {
-        requireForDcc(nothing, Language(Language::Id::english));
+        requireForDcc({std::make_shared<const Document>(), {}, {}, {}}, Language(Language::Id::english));
         QFAIL("nothing is stated");
     } catch (const Error &error) {
         QCOMPARE(Language(Language::Id::english).sentence(error.message),
@@ -212,10 +211,17 @@ void DccTest::whatIsMissingIsNamedInOneSentence() {
                  "serial number of the machine, a test");
     }
     Document document = readDocument(completeFile());
-    QCOMPARE(missingForDcc(document).size(), std::size_t(1));
-    QCOMPARE(missingForDcc(document).front().source, "country of the laboratory");
+    const auto missing = [&document] {
+        std::vector<Text> texts = missingForDcc(evaluate(std::make_shared<const Document>(document)));
+        return texts.size() == 1 ? QString(texts.front().source) : QString::number(texts.size());
+    };
+    QCOMPARE(missing(), "country of the laboratory");
     document.report.laboratory.country = "FR";
-    QVERIFY(missingForDcc(document).empty());
+    QCOMPARE(missing(), "0");
+    editMeasurement<PositioningMeasurement>(document, 0, [](PositioningMeasurement &measurement) {
+        measurement.uncertainty.method = UncertaintyMethod::monteCarlo;
+    });
+    QCOMPARE(missing(), "U after the simulation");
 }
 
 // As on page 1 of a report: above an unmet requirement there is no verdict.
