@@ -1626,6 +1626,10 @@
         <translation>JSON, tous les essais (*.json)</translation>
     </message>
     <message>
+        <source>Digital calibration certificate, all tests (*.xml)</source>
+        <translation>Certificat d’étalonnage numérique, tous les essais (*.xml)</translation>
+    </message>
+    <message>
         <source>Export the data of the figure</source>
         <translation>Exporter les données de la figure</translation>
     </message>

@@ -122,7 +122,7 @@ void InstrumentsPage::addFields(std::size_t k) {
     addText("serialNumber", ofInstrument<&Instrument::serialNumber>(k));
     beginRow();
     addText("certificate", ofInstrument<&Instrument::certificate>(k));
-    addText({"", QT_TR_NOOP("Calibrated by")}, ofInstrument<&Instrument::calibratedBy>(k));
+    addText({"calibratedBy", QT_TR_NOOP("Calibrated by")}, ofInstrument<&Instrument::calibratedBy>(k));
     beginRow();
     addText({"", QT_TR_NOOP("Traceable to")},
             ofInstrument<&Instrument::traceability, &Traceability::laboratory>(k));
@@ -173,7 +173,8 @@ MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *pa
     addText("controller", ofMachine<&Machine::controller>());
     addText({"", QT_TR_NOOP("Location")}, ofMachine<&Machine::location>());
     beginRow();
-    addLongText({"", QT_TR_NOOP("Condition")}, ofMachine<&Machine::condition>())->setMost(mostOfLine);
+    addLongText({"condition", QT_TR_NOOP("Condition")}, ofMachine<&Machine::condition>())
+        ->setMost(mostOfLine);
     addStretch();
     refresh();
 }

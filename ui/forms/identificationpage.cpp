@@ -58,16 +58,16 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     beginRow();
     addText({"", QT_TR_NOOP("Title")}, ofReport<&ReportHead::title>());
     beginRow();
-    addText({"", QT_TR_NOOP("Number")}, ofReport<&ReportHead::number>());
+    addText({"number", QT_TR_NOOP("Number")}, ofReport<&ReportHead::number>());
     addText({"", QT_TR_NOOP("Revision")}, ofReport<&ReportHead::revision>());
     addText({"", QT_TR_NOOP("Replaces")}, ofReport<&ReportHead::replaces>());
     addText({"", QT_TR_NOOP("Reason of the revision")}, ofReport<&ReportHead::revisionReason>());
     beginRow();
-    addDate({"", QT_TR_NOOP("Date of issue")}, ofReport<&ReportHead::date>());
+    addDate({"date", QT_TR_NOOP("Date of issue")}, ofReport<&ReportHead::date>());
     addDate({"", QT_TR_NOOP("Performed from")}, ofReport<&ReportHead::performedFrom>());
     addDate({"", QT_TR_NOOP("to")}, ofReport<&ReportHead::performedTo>());
     beginRow();
-    addText({"", QT_TR_NOOP("Place")}, ofReport<&ReportHead::place>());
+    addText({"place", QT_TR_NOOP("Place")}, ofReport<&ReportHead::place>());
     addText({"", QT_TR_NOOP("Operator")}, ofReport<&ReportHead::operatorName>());
     beginRow();
     addText({"", QT_TR_NOOP("Order")}, ofReport<&ReportHead::order>());
@@ -85,18 +85,24 @@ void IdentificationPage::addLaboratory() {
     beginRow();
     addText({"", QT_TR_NOOP("Name")}, within<&ReportHead::laboratory, &Laboratory::name>());
     addText({"", QT_TR_NOOP("Accreditation")}, within<&ReportHead::laboratory, &Laboratory::accreditation>());
-    addText({"", QT_TR_NOOP("Country")}, within<&ReportHead::laboratory, &Laboratory::country>())
-        ->setReader([](const QString &typed) -> Field::Reading {
-            const QString code = typed.trimmed().toUpper();
+    const auto code = [](const QString &typed) { return typed.trimmed().toUpper(); };
+    Member<std::string> country = within<&ReportHead::laboratory, &Laboratory::country>();
+    country.write = [code, write = country.write](Document &document, std::size_t test,
+                                                  const std::string &typed) {
+        write(document, test, code(QString::fromStdString(typed)).toStdString());
+    };
+    addText({"country", QT_TR_NOOP("Country")}, std::move(country))
+        ->setReader([code](const QString &typed) -> Field::Reading {
             static const QRegularExpression letters(QStringLiteral("^([A-Z]{2})?$"));
-            if (!letters.match(code).hasMatch())
+            if (!letters.match(code(typed)).hasMatch())
                 return {{}, tr("two letters (ISO 3166-1), as FR")};
-            return {code, {}};
+            return {code(typed), {}};
         });
     beginRow();
-    addLongText({"", QT_TR_NOOP("Address")}, within<&ReportHead::laboratory, &Laboratory::address>());
+    addLongText({"address", QT_TR_NOOP("Address")}, within<&ReportHead::laboratory, &Laboratory::address>());
     beginRow();
-    addText({"", QT_TR_NOOP("Authorised by")}, within<&ReportHead::authorisedBy, &Authorisation::name>());
+    addText({"authorisedBy", QT_TR_NOOP("Authorised by")},
+            within<&ReportHead::authorisedBy, &Authorisation::name>());
     addText({"", QT_TR_NOOP("Function")}, within<&ReportHead::authorisedBy, &Authorisation::function>());
 
     addPicture(QT_TR_NOOP("Logo"), QT_TR_NOOP("Choose the logo…"), QT_TR_NOOP("Remove the logo"),
@@ -108,8 +114,8 @@ void IdentificationPage::addLaboratory() {
 void IdentificationPage::addParties() {
     addSection(QT_TR_NOOP("Customer and supplier"));
     beginRow();
-    addText({"", QT_TR_NOOP("Customer")}, within<&ReportHead::customer, &Party::name>());
-    addLongText({"", QT_TR_NOOP("Address of the customer")},
+    addText({"customer", QT_TR_NOOP("Customer")}, within<&ReportHead::customer, &Party::name>());
+    addLongText({"customer", QT_TR_NOOP("Address of the customer")},
                 within<&ReportHead::customer, &Party::address>());
     addText({"", QT_TR_NOOP("Contact")}, within<&ReportHead::customer, &Party::contact>());
     beginRow();

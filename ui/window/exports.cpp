@@ -4,6 +4,7 @@
 
 #include "document/savedocument.h"
 #include "document/testfile.h"
+#include "export/dcc.h"
 #include "export/resultsjson.h"
 #include "figures/figuretexts.h"
 #include "figures/testfigures.h"
@@ -50,7 +51,7 @@ void ask(QWidget *window, const QString &title, const QStringList &forms,
         return static_cast<ExportForm>(std::max<qsizetype>(0, forms.indexOf(dialog->selectedNameFilter())));
     };
     const auto suffixOf = [](ExportForm form) {
-        return form == ExportForm::json ? QStringLiteral("json") : QStringLiteral("csv");
+        return QString::fromLatin1(inOrder(form, {"csv", "csv", "json", "xml"}));
     };
     dialog->setDefaultSuffix(suffixOf(formOf()));
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog,
@@ -78,6 +79,10 @@ QByteArray exportedReadings(const EvaluatedDocument &evaluated, std::size_t test
                             const QString &fileName) {
     if (form == ExportForm::json)
         return readingsJson(evaluated, fileName, windowLanguage());
+    if (form == ExportForm::dcc) {
+        requireForDcc(evaluated, windowLanguage());
+        return dcc(evaluated);
+    }
     return readingsCsv(evaluated, test, windowLanguage(), markOf(form));
 }
 
@@ -90,7 +95,9 @@ QByteArray exportedFigure(const EvaluatedDocument &evaluated, std::size_t test, 
 void askExportOfReadings(QWidget *window, const EvaluatedDocument &evaluated, std::size_t test,
                          const QString &fileName) {
     ask(window, say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "Export readings and results")),
-        csvForms() << say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "JSON, all tests (*.json)")),
+        csvForms() << say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "JSON, all tests (*.json)"))
+                   << say(QT_TRANSLATE_NOOP("palmer::ui::Exports",
+                                            "Digital calibration certificate, all tests (*.xml)")),
         [=](ExportForm form) { return exportedReadings(evaluated, test, form, fileName); });
 }
 

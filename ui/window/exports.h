@@ -12,9 +12,10 @@ class QWidget;
 namespace palmer::ui {
 
 /// Export formats for other programs.
-enum class ExportForm { csvWithPoint, csvWithComma, json };
+enum class ExportForm { csvWithPoint, csvWithComma, json, dcc };
 
-/// Readings and results of a test as CSV, or of all tests as JSON, with names in the window's language.
+/// Readings and results of a test as CSV, or of all tests as JSON, with names in the window's language, or as
+/// a digital calibration certificate. Throws Error where it lacks a statement or a simulation.
 [[nodiscard]] QByteArray exportedReadings(const EvaluatedDocument &evaluated, std::size_t test,
                                           ExportForm form, const QString &fileName);
 /// The points of a test's figure.

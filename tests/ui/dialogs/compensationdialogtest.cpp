@@ -253,6 +253,7 @@ private slots:
         const auto json =
             QJsonDocument::fromJson(exportedReadings(evaluated, 0, ExportForm::json, "x.palmer")).object();
         QCOMPARE(json["file"].toString(), QString("x.palmer"));
+        QVERIFY_THROWS_EXCEPTION(Error, (void)exportedReadings(evaluated, 0, ExportForm::dcc, "x"));
         QVERIFY(exportedFigure(evaluated, 0, ExportForm::csvWithComma).contains(";100;0,2\n"));
     }
 

@@ -876,6 +876,8 @@ private slots:
         customer->click();
         QCOMPARE(edited.model.document()->report.signatures,
                  (std::vector{Signer::operatorSigns, Signer::supplier}));
+        edited.type(u"country"_s, u"fr"_s); // files take capitals
+        QCOMPARE(edited.model.document()->report.laboratory.country, std::string("FR"));
     }
 
     void templatesAreKeptAndApplied() {
