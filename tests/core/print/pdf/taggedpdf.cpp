@@ -4,6 +4,7 @@
 #include "print/pdf/pages.h"
 
 #include <QDir>
+#include <QRawFont>
 #include <map>
 #include <optional>
 #include <qpdf/QPDF.hh>
@@ -141,6 +142,8 @@ private:
                 problems << u"glyph %1 has no text"_s.arg(glyph);
                 continue;
             }
+            if (glyph == 0)
+                problems << u"a character that no font has"_s;
             const QString &text = known->second;
             if (text.isEmpty() || text[0].isNull() || text[0] == u'\xFEFF' || text[0] == u'\xFFFE' ||
                 text[0] == u'\t')
@@ -293,10 +296,14 @@ private:
 
 // ---- The requirements: what is wrong with a PDF, or nothing ----
 
+bool isTrue(Handle value) {
+    return value.isBool() && value.getBoolValue();
+}
+
 QStringList isIdentified(Tagged &file) {
     QStringList wrong;
     Handle root = file.pdf.getRoot();
-    if (!root.getKey("/MarkInfo").getKey("/Marked").isBool() || !file.tree.isDictionary())
+    if (!isTrue(root.getKey("/MarkInfo").getKey("/Marked")) || !file.tree.isDictionary())
         wrong << u"not tagged"_s;
     const QString xmp = bytesOf(root.getKey("/Metadata"));
     for (const QString &needed : {u"<pdfaid:part>3<"_s, u"<pdfaid:conformance>A<"_s, u"<pdfuaid:part>1<"_s,
@@ -312,7 +319,7 @@ QStringList hasLanguageAndTitle(Tagged &file) {
     Handle root = file.pdf.getRoot();
     if (root.getKey("/Lang").getUTF8Value().size() != 2)
         wrong << u"language"_s;
-    if (!root.getKey("/ViewerPreferences").getKey("/DisplayDocTitle").isBool())
+    if (!isTrue(root.getKey("/ViewerPreferences").getKey("/DisplayDocTitle")))
         wrong << u"title"_s;
     return wrong;
 }
@@ -471,6 +478,38 @@ QStringList fontsAreEmbeddedAndNamed(Tagged &file) {
     return wrong;
 }
 
+/// Both are thousandths of the size.
+QStringList widthsAreThoseOfTheFont(Tagged &file) {
+    QStringList wrong;
+    std::set<QPDFObjGen> known;
+    for (Handle page : file.pdf.getAllPages()) {
+        for (auto &[name, font] : page.getKey("/Resources").getKey("/Font").getDictAsMap()) {
+            if (!known.insert(font.getObjGen()).second)
+                continue;
+            Handle own = font.getKey("/DescendantFonts").getArrayItem(0);
+            const auto bytes = own.getKey("/FontDescriptor").getKey("/FontFile2").getStreamData();
+            const QRawFont embedded(QByteArray(reinterpret_cast<const char *>(bytes->getBuffer()),
+                                               static_cast<qsizetype>(bytes->getSize())),
+                                    1000, QFont::PreferNoHinting);
+            const std::vector<Handle> list = own.getKey("/W").getArrayAsVector();
+            if (!embedded.isValid() || list.size() != 2 || !list[1].isArray()) {
+                wrong << u"a font or its widths cannot be read"_s;
+                continue;
+            }
+            auto glyph = static_cast<quint32>(list[0].getIntValueAsInt());
+            for (Handle width : list[1].getArrayAsVector()) {
+                const auto advances = embedded.advancesForGlyphIndexes({glyph}, QRawFont::UseDesignMetrics);
+                if (advances.size() != 1 || std::abs(advances[0].x() - width.getNumericValue()) > 1)
+                    wrong << u"glyph %1 is %2 wide"_s.arg(glyph).arg(width.getNumericValue());
+                ++glyph;
+            }
+        }
+    }
+    if (known.empty())
+        wrong << u"no fonts"_s;
+    return wrong;
+}
+
 QStringList textIsText(Tagged &file) {
     QStringList wrong;
     for (const PageReader &page : file.pages) {
@@ -512,6 +551,7 @@ constexpr CheckedRequirement requirements[]{
     {"figures with alternative text and box", figuresAreDescribed},
     {"links with description and element", linksAreDescribed},
     {"fonts embedded and named as subsets", fontsAreEmbeddedAndNamed},
+    {"widths in the PDF are those of the font", widthsAreThoseOfTheFont},
     {"every glyph maps to its character", textIsText},
     {"attached files described", filesAreDescribed},
 };
