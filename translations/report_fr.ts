@@ -9402,5 +9402,49 @@
         <source>traceable to %1</source>
         <translation>raccordé à %1</translation>
     </message>
+    <message>
+        <source>Who ordered the tests, with the address.</source>
+        <translation>Qui a commandé les essais, avec son adresse.</translation>
+    </message>
+    <message>
+        <source>Street, postcode, town and country, as they stand on the certificate.</source>
+        <translation>Rue, code postal, ville et pays, tels qu’ils figurent sur le certificat.</translation>
+    </message>
+    <message>
+        <source>As it was found: new, in production, after a repair, with what was adjusted before the test.</source>
+        <translation>L’état trouvé&#xa0;: neuve, en production, après réparation, avec les réglages effectués avant l’essai.</translation>
+    </message>
+    <message>
+        <source>Where the tests were made.</source>
+        <translation>L’endroit où les essais ont été effectués.</translation>
+    </message>
+    <message>
+        <source>How U is evaluated: by a budget, a simulation, as the laboratory states it, or not at all.</source>
+        <translation>La manière d’évaluer U&#xa0;: par un bilan, par simulation, telle que le laboratoire l’indique, ou pas du tout.</translation>
+    </message>
+    <message>
+        <source>Who releases the report and answers for it.</source>
+        <translation>La personne qui délivre le rapport et en répond.</translation>
+    </message>
+    <message>
+        <source>The laboratory that calibrated the instrument, with its accreditation.</source>
+        <translation>Le laboratoire qui a étalonné l’instrument, avec son accréditation.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Tells this report from all others of the laboratory.</source>
+        <translation>Distingue ce rapport de tous les autres du laboratoire.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
+        <source>What the revision changes.</source>
+        <translation>Ce que la révision change.</translation>
+    </message>
 </context>
 </TS>

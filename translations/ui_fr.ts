@@ -2033,10 +2033,6 @@
         <translation>Titre</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>Numéro</translation>
-    </message>
-    <message>
         <source>Replaces</source>
         <translation>Remplace</translation>
     </message>
@@ -2055,10 +2051,6 @@
     <message>
         <source>Accreditation</source>
         <translation>Accréditation</translation>
-    </message>
-    <message>
-        <source>Address</source>
-        <translation>Adresse</translation>
     </message>
     <message>
         <source>Function</source>

@@ -117,6 +117,15 @@ constexpr std::array things{
     StatedThing{"decisionRule", REPORT_TEXT("report", "Decision rule"), REPORT_TEXT("report", "How a value near its limit is judged, whose risk the uncertainty is: ISO 14253-1 asks the maker to prove conformity, the other rule asks the user to prove the contrary.")},
     StatedThing{"guardFactor", REPORT_TEXT("report", "Guard band"), REPORT_TEXT("report", "How many times the expanded uncertainty U the value has to stay away from the limit; 1 as a rule.")},
     StatedThing{"agreedPoints", REPORT_TEXT("report", "Points to be agreed"), REPORT_TEXT("report", "What the edition leaves to supplier and user. “Not agreed” is printed as it is, “not applicable” asks for nothing.")},
+    StatedThing{"number", REPORT_TEXT("report", "Number"), REPORT_TEXT("report", "Tells this report from all others of the laboratory.")},
+    StatedThing{"place", REPORT_TEXT("report", "Place"), REPORT_TEXT("report", "Where the tests were made.")},
+    StatedThing{"customer", REPORT_TEXT("report", "Customer"), REPORT_TEXT("report", "Who ordered the tests, with the address.")},
+    StatedThing{"address", REPORT_TEXT("report", "Address"), REPORT_TEXT("report", "Street, postcode, town and country, as they stand on the certificate.")},
+    StatedThing{"authorisedBy", REPORT_TEXT("report", "Authorised by"), REPORT_TEXT("report", "Who releases the report and answers for it.")},
+    StatedThing{"revisionReason", REPORT_TEXT("report", "Reason of the revision"), REPORT_TEXT("report", "What the revision changes.")},
+    StatedThing{"condition", REPORT_TEXT("report", "Condition of the machine"), REPORT_TEXT("report", "As it was found: new, in production, after a repair, with what was adjusted before the test.")},
+    StatedThing{"calibratedBy", REPORT_TEXT("report", "Calibrated by"), REPORT_TEXT("report", "The laboratory that calibrated the instrument, with its accreditation.")},
+    StatedThing{"method", REPORT_TEXT("report", "Method"), REPORT_TEXT("report", "How U is evaluated: by a budget, a simulation, as the laboratory states it, or not at all.")},
 };
 // clang-format on
 

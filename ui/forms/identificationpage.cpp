@@ -58,7 +58,7 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     beginRow();
     addText({"", QT_TR_NOOP("Title")}, ofReport<&ReportHead::title>());
     beginRow();
-    addText({"number", QT_TR_NOOP("Number")}, ofReport<&ReportHead::number>());
+    addText("number", ofReport<&ReportHead::number>());
     addText({"", QT_TR_NOOP("Revision")}, ofReport<&ReportHead::revision>());
     addText({"", QT_TR_NOOP("Replaces")}, ofReport<&ReportHead::replaces>());
     addText({"", QT_TR_NOOP("Reason of the revision")}, ofReport<&ReportHead::revisionReason>());
@@ -99,7 +99,7 @@ void IdentificationPage::addLaboratory() {
             return {code(typed), {}};
         });
     beginRow();
-    addLongText({"address", QT_TR_NOOP("Address")}, within<&ReportHead::laboratory, &Laboratory::address>());
+    addLongText("address", within<&ReportHead::laboratory, &Laboratory::address>());
     beginRow();
     addText({"authorisedBy", QT_TR_NOOP("Authorised by")},
             within<&ReportHead::authorisedBy, &Authorisation::name>());
