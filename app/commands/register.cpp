@@ -232,17 +232,16 @@ public:
 
 private:
     void print(Database &database, const ListedMachine &machine) {
-        m_filter.machines = {machine.id};
-        std::vector<ListedTest> all = tests(database, dueFilter());
-        (void)markDue(database, machine, all, m_interval);
-        if (!m_due.isEmpty()) {
-            const std::string limit = m_due.toStdString();
-            std::erase_if(all, [&](const ListedTest &test) {
-                return !(test.due && *test.due <= limit) &&
-                       !(test.certificateDue && *test.certificateDue <= limit);
-            });
-        }
-        const std::vector<ListedTest> chosen = matching(std::move(all));
+        TestFilter ofMachine; // due dates depend on all of its tests
+        ofMachine.machines = {machine.id};
+        std::vector<ListedTest> chosen = tests(database, ofMachine);
+        (void)markDue(database, machine, chosen, m_interval);
+        const auto isDue = [this](const std::optional<std::string> &date) {
+            return m_due.isEmpty() || (date && QString::fromStdString(*date) <= m_due);
+        };
+        std::erase_if(chosen, [&](const ListedTest &test) {
+            return (!isDue(test.due) && !isDue(test.certificateDue)) || !matches(test, m_filter);
+        });
         if (m_csv || m_json) {
             for (const ListedTest &test : chosen)
                 printOut(m_csv ? listedTestCsv(test, m_decimalMark) : listedTestJson(test));
@@ -252,18 +251,6 @@ private:
                                            m_invocation.language)));
             m_hasPrinted = true;
         }
-    }
-
-    /// Due dates depend on all tests of the machine.
-    [[nodiscard]] TestFilter dueFilter() const {
-        TestFilter all;
-        all.machines = m_filter.machines;
-        return all;
-    }
-
-    [[nodiscard]] std::vector<ListedTest> matching(std::vector<ListedTest> list) const {
-        std::erase_if(list, [this](const ListedTest &test) { return !palmer::matches(test, m_filter); });
-        return list;
     }
 
     const Invocation &m_invocation;

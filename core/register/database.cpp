@@ -30,29 +30,20 @@ constexpr int waitForServer = 10;  ///< s
            {}, Error::Kind::content);
 }
 
-/// What SQLite's primary error codes mean.
+/// The meaning of SQLite's primary error codes.
 struct SqliteTrouble {
     std::array<int, 2> codes;
     Text text;
     Error::Kind kind = Error::Kind::unreadable;
 };
 enum SqliteRow : std::size_t { locked, notWritable, full, damaged };
-constexpr std::array sqliteTroubles{
-    // in the order of SqliteRow
-    SqliteTrouble{
-        {5, 6},
-        REPORT_TEXT("report", "the register is locked by another program; try again when it is done")},
-    SqliteTrouble{
-        {8, 14},
-        REPORT_TEXT("report", "the register cannot be written; check the permissions of its folder"),
-        Error::Kind::unwritable},
-    SqliteTrouble{{10, 13},
-                  REPORT_TEXT("report", "the register cannot be written, for want of space perhaps; what it "
-                                        "held is unchanged: make room and scan again"),
-                  Error::Kind::unwritable},
-    SqliteTrouble{{11, 26},
-                  REPORT_TEXT("report", "the file of the register is damaged; remove it and scan again, the "
-                                        "test files hold everything")}};
+// clang-format off
+constexpr std::array sqliteTroubles{ // in the order of SqliteRow
+    SqliteTrouble{{5, 6}, REPORT_TEXT("report", "the register is locked by another program; try again when it is done")},
+    SqliteTrouble{{8, 14}, REPORT_TEXT("report", "the register cannot be written; check the permissions of its folder"), Error::Kind::unwritable},
+    SqliteTrouble{{10, 13}, REPORT_TEXT("report", "the register cannot be written, for want of space perhaps; what it held is unchanged: make room and scan again"), Error::Kind::unwritable},
+    SqliteTrouble{{11, 26}, REPORT_TEXT("report", "the file of the register is damaged; remove it and scan again, the test files hold everything")}};
+// clang-format on
 
 const SqliteTrouble *sqliteTrouble(int code) {
     const auto row = std::ranges::find_if(sqliteTroubles, [code](const SqliteTrouble &one) {

@@ -11,7 +11,7 @@ namespace palmer {
 
 /// Due dates of a machine.
 struct MachineDue {
-    /// Of each axis and plane, by its interval, from its last periodic or acceptance test.
+    /// Dates of axes and planes, by their interval, from their last periodic or acceptance test.
     std::map<QString, QDate> tests;
     std::optional<QDate> certificate; ///< first expiry among the instruments last used on an axis
 

@@ -17,7 +17,7 @@ namespace palmer {
 // for folders that are not there.
 inline const QString machineFileName = QStringLiteral("palmer-machines.json");
 
-/// What such files say, by identities.
+/// The content of such files, by identities.
 struct MachineChoices {
     std::map<QString, QString> joined; ///< each to another
     std::map<QString, int> months;     ///< 0: no interval

@@ -6,7 +6,7 @@
 
 namespace palmer {
 
-/// What files state of a machine.
+/// The fields of a machine as files state them.
 struct MachineFields {
     QString name;
     QString manufacturer;

@@ -45,7 +45,7 @@ public:
     /// The last scan was stopped; only rescan() continues it.
     [[nodiscard]] bool isStopped() const { return m_isStopped; }
 
-    /// What becomes of files that no longer exist; `force`: of most of a folder, too.
+    /// Whether files that no longer exist are removed; `force`: even most of a folder.
     enum class Prune { no, yes, force };
     void rescan(Prune prune = Prune::no);
     /// Stops the running scan, keeping what was read. Nothing is scanned until the next rescan().

@@ -187,45 +187,35 @@ void TestTableModel::retranslate() {
 
 TestTableModel::Longest TestTableModel::longest(std::size_t result) const {
     // Digits are equally wide, so the widest numbers have the most characters; only these are formatted.
-    const DisplayUnits &units = windowLanguage().units();
-    const RegisteredTest *value = nullptr;
-    const RegisteredTest *expanded = nullptr;
-    int mostOfValue = -1;
-    int mostOfExpanded = -1;
-    const auto characters = [](double number, int decimals) {
-        const double size = std::abs(number);
-        const int whole = size < 10 ? 1 : static_cast<int>(std::log10(size)) + 1;
-        return whole + (whole - 1) / 3 + (number < 0 ? 1 : 0) + decimals;
+    struct Widest {
+        const RegisteredTest *test = nullptr;
+        int characters = -1;
     };
+    const auto see = [](Widest &widest, const RegisteredTest &test, double number, int decimals) {
+        const double size =
+            std::abs(number) * unitScale(test.angular ? Quantity::angularDeviation : Quantity::deviation,
+                                         windowLanguage().units());
+        const int whole = size < 10 ? 1 : static_cast<int>(std::log10(size)) + 1;
+        const int characters = whole + (whole - 1) / 3 + (number < 0 ? 1 : 0) + decimals;
+        if (characters > widest.characters)
+            widest = {&test, characters};
+    };
+    Widest value;
+    Widest expanded;
     for (const ListedTest &listed : m_rows) {
         const RegisteredResult *found = resultOf(listed.test, m_results[result]);
         if (!found || !found->value)
             continue;
-        const double scale =
-            unitScale(listed.test.angular ? Quantity::angularDeviation : Quantity::deviation, units);
-        const int ofValue = characters(*found->value * scale, found->decimals.value_or(0));
-        if (ofValue > mostOfValue) {
-            mostOfValue = ofValue;
-            value = &listed.test;
-        }
-        if (!found->expandedUncertainty)
-            continue;
-        const int ofExpanded =
-            characters(*found->expandedUncertainty * scale, found->uncertaintyDecimals.value_or(0));
-        if (ofExpanded > mostOfExpanded) {
-            mostOfExpanded = ofExpanded;
-            expanded = &listed.test;
-        }
+        see(value, listed.test, *found->value, found->decimals.value_or(0));
+        if (found->expandedUncertainty)
+            see(expanded, listed.test, *found->expandedUncertainty, found->uncertaintyDecimals.value_or(0));
     }
-    Longest longest;
-    if (value)
-        longest.value =
-            shownResult(*resultOf(*value, m_results[result]), value->angular, windowLanguage()).value;
-    if (expanded)
-        longest.uncertainty =
-            shownResult(*resultOf(*expanded, m_results[result]), expanded->angular, windowLanguage())
-                .uncertainty;
-    return longest;
+    const auto shown = [&](const Widest &widest) {
+        return widest.test ? shownResult(*resultOf(*widest.test, m_results[result]), widest.test->angular,
+                                         windowLanguage())
+                           : ShownValue();
+    };
+    return {shown(value).value, shown(expanded).uncertainty};
 }
 
 QColor TestDelegate::ground(const QStyleOptionViewItem &option, const QModelIndex &) const {

@@ -19,7 +19,7 @@ enum class SummaryForm {
     text ///< for a terminal: numbers and words as printed in reports
 };
 
-/// What identifies a test in such a table.
+/// The fields that identify a test in such a table.
 struct SummaryTest {
     QString file;
     int test = 1; ///< from 1
