@@ -94,6 +94,9 @@ public:
         const QString output = neededOutput(invocation, "report", "-o OUT.pdf");
         if (const Edition *asked = editionAsked(invocation))
             m_edition = asked->word;
+        if (!m_edition.empty() && invocation.has(dccOption)) // a view certifies nothing
+            throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
+                              {std::string("edition"), std::string(dccOption)}});
         if (m_inputs.several) {
             m_outputs = outputsInFolder(output, m_inputs, QStringLiteral(".pdf"));
             const QFileInfo folder(output);

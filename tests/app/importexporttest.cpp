@@ -258,6 +258,10 @@ void ImportExportTest::namesWhatACertificateLacks() {
              qPrintable(result.err));
     QVERIFY(!QFile::exists(file));
     QCOMPARE(run({"export", DATA "rtl/typical.rtl", "--accept", "--as", "dcc", "-o", at("c.csv")}).code, 2);
+    QCOMPARE(run({"report", DATA "rtl/typical.rtl", "--accept", "--with-dcc", "--edition", "ISO 230-2:1997",
+                  "-o", at("c.pdf")})
+                 .code,
+             2); // a view certifies nothing
 }
 
 void ImportExportTest::asksForWhatATableOwes() {

@@ -80,8 +80,9 @@ QByteArray exportedReadings(const EvaluatedDocument &evaluated, std::size_t test
     if (form == ExportForm::json)
         return readingsJson(evaluated, fileName, windowLanguage());
     if (form == ExportForm::dcc) {
-        requireForDcc(evaluated, windowLanguage());
-        return dcc(evaluated);
+        const EvaluatedDocument own = evaluate(evaluated.document, &evaluated); // no view
+        requireForDcc(own, windowLanguage());
+        return dcc(own);
     }
     return readingsCsv(evaluated, test, windowLanguage(), markOf(form));
 }
