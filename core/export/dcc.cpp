@@ -25,6 +25,7 @@ namespace {
 
 constexpr double usualCoverage = 0.95; ///< of k = 2
 constexpr Text limitWord = REPORT_TEXT("report", "Limit");
+constexpr Text nameAndText = REPORT_TEXT("report", "%1: %2");
 
 /// First and last day of the tests: as stated in the head, otherwise of the tests that state theirs.
 std::optional<std::string> dayOf(const Document &document, bool last) {
@@ -325,8 +326,7 @@ private:
         if (!of.start && !of.end)
             return;
         const auto name = [what](const Language &language) {
-            return language.text(REPORT_TEXT("report", "Temperature")) + QStringLiteral(": ") +
-                   language.text(sensorText(what));
+            return language.sentence(nameAndText, {REPORT_TEXT("report", "Temperature"), sensorText(what)});
         };
         condition(both(name), [&] {
             for (const auto &[words, value] : {std::pair{REPORT_TEXT("report", "Start"), of.start},
@@ -409,9 +409,9 @@ private:
         const std::string symbol = plainSymbol(parameter);
         if (!parameter.value || !std::isfinite(*parameter.value)) {
             said("dcc:noQuantity", both([&](const Language &language) {
-                     return QString::fromStdString(symbol + ": ") +
-                            language.text(
-                                REPORT_TEXT_FOR("report", "no value", "why a limit cannot be evaluated"));
+                     return language.sentence(
+                         nameAndText,
+                         {symbol, REPORT_TEXT_FOR("report", "no value", "why a limit cannot be evaluated")});
                  }));
         } else {
             real(*parameter.value, parameter.term.quantity, symbol, &parameter);

@@ -40,18 +40,20 @@ int decimalsOf(const FigureAxis &axis) {
     return std::clamp(1 - static_cast<int>(std::floor(std::log10(std::max(axis.step, 1e-9)))), 0, 9);
 }
 
-QString titled(const QString &title, const QStringList &parts) {
-    QStringList said = parts;
-    said.removeAll(QString());
-    return said.isEmpty() ? title : title + QStringLiteral(": ") + said.join(QStringLiteral("; "));
-}
-
 QString ofAxis(const FigureAxis &axis, const QString &range) {
     return range.isEmpty() ? QString() : axis.quantity.isEmpty() ? range : axis.quantity + u' ' + range;
 }
 
 struct Describe {
     const Language &language;
+
+    [[nodiscard]] QString titled(const QString &title, QStringList parts) const {
+        parts.removeAll(QString());
+        const QString text = parts.join(QStringLiteral("; "));
+        return text.isEmpty() ? title
+                              : language.sentence(REPORT_TEXT("report", "%1: %2"),
+                                                  {title.toStdString(), text.toStdString()});
+    }
 
     QString operator()(const CurveFigure &figure) const {
         Range x;
@@ -109,7 +111,7 @@ struct Describe {
             }
             parts << line.name + u' ' + y.text(figure.y.unit, decimalsOf(figure.y), language);
         }
-        parts.prepend(ofAxis(figure.x, x.text(figure.x.unit, -1, language)));
+        parts.prepend(ofAxis(figure.x, x.text(figure.x.unit, decimalsOf(figure.x), language)));
         return titled(figure.title, parts);
     }
 
