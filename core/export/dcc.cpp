@@ -187,7 +187,7 @@ private:
             leaf("dcc:issueDate", *head().date);
     }
 
-    /// What machines and instruments have in common.
+    /// For machines and instruments alike.
     void writeMake(const std::string &manufacturer, const std::string &model,
                    const std::string &serialNumber) {
         if (!manufacturer.empty())

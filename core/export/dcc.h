@@ -13,8 +13,8 @@ namespace palmer {
 /// The name of the certificate as an attachment of a report.
 inline constexpr const char *dccFileName = "dcc.xml";
 
-/// What the schema of digital calibration certificates obliges and the document does not state; and U where a
-/// simulation that is to give it was not run. Before the evaluation only what the document lacks.
+/// Returns what the schema of digital calibration certificates obliges and the document does not state; and U
+/// where a simulation that is to give it was not run. Before the evaluation only what the document lacks.
 [[nodiscard]] std::vector<Text> missingForDcc(const EvaluatedDocument &evaluated);
 
 /// Throws Error with one sentence that names all of it, in `language`.

@@ -103,7 +103,7 @@ struct MarkedContent {
 /// The places of all contents, by number; usually one each.
 using MarkedContents = std::vector<std::vector<MarkedContent>>;
 
-/// What a page's content is rewritten to, operator by operator, as Qt writes one on a line.
+/// Rewrites a page's content operator by operator, as Qt writes one on a line.
 class ContentTagger {
 public:
     ContentTagger(std::size_t page, const std::map<std::string, const Characters *> &fonts,

@@ -324,8 +324,7 @@ Verification verifyReport(const OpenedReport &report) {
     const QByteArray results = attachedResults(report.evaluated);
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    const bool certified =
-        !report.parts.certificate.isEmpty() && missingForDcc(report.evaluated).empty();
+    const bool certified = !report.parts.certificate.isEmpty() && missingForDcc(report.evaluated).empty();
     const QByteArray certificate = certified ? dcc(report.evaluated) : QByteArray();
     writePdf(composed, buffer, results, certificate);
 
