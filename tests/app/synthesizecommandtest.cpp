@@ -123,6 +123,14 @@ void SynthesizeCommandTest::truthComesBack() {
     const double u = first[u"u"].toDouble();
     QVERIFY(u > 0 && std::abs(first[u"value"].toDouble() - value) < 5 * u);
     QVERIFY(first[u"contribution"].toDouble() > 1e-3); // mm
+    const QJsonObject interval = first[u"interval"].toObject();
+    const double half = (interval[u"to"].toDouble() - interval[u"from"].toDouble()) / 2;
+    QVERIFY(diagnosis[u"modelFits"].toBool() && diagnosis[u"reasons"].toArray().isEmpty());
+    QVERIFY(first[u"degreesOfFreedom"].toDouble() > 1 && half > 1.95 * u && half < 4.4 * u); // Student
+    QVERIFY(first[u"reasons"].toArray().isEmpty());
+    const bool steps = id == "backlash" || id == "lateralPlay";
+    QCOMPARE(diagnosis[u"rotation"].isObject(), steps); // the steps show it: none
+    QVERIFY(!diagnosis[u"rotation"][u"stated"].toBool());
     // The table says it, too, in both languages.
     const QByteArray english = runCli({"evaluate", file}).out;
     QVERIFY(english.contains("Diagnosis (an interpretation)"));

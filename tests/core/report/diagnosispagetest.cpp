@@ -214,7 +214,7 @@ private slots:
                 const auto *both = std::get_if<SideBySide>(&block);
                 const auto *heading =
                     both && !both->left.empty() ? std::get_if<Heading>(&both->left.front()) : nullptr;
-                return heading && heading->note.plain() == "each circle by itself, ± 2 u";
+                return heading && heading->note.plain() == "each circle by itself, with its 95 % interval";
             }));
         QVERIFY(curves && curves->left.size() == 2 && curves->right.size() == 2);
         QVERIFY(std::get<Heading>(curves->left.front()).text !=

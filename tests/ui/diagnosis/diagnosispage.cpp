@@ -5,6 +5,7 @@
 #include "ui/diagnosis/diagnosispage.h"
 
 #include "core/madecircles.h"
+#include "document/edits.h"
 #include "ui/diagnosis/feedsview.h"
 #include "ui/figures/linechart.h"
 #include "ui/rowtable.h"
@@ -158,6 +159,49 @@ private slots:
             largest = std::max(largest, std::abs(std::hypot(path.x[i], path.y[i]) -
                                                  std::hypot(path.x[i - 1], path.y[i - 1])));
         QVERIFY(std::abs(largest - 0.004) < 2e-4);
+    }
+
+    /// Before any source; of commanded angles the start can be corrected.
+    void aTurnedPathIsNamedFirst_data() {
+        QTest::addColumn<bool>("commanded");
+        QTest::newRow("commanded") << true;
+        QTest::newRow("polar") << false;
+    }
+    void aTurnedPathIsNamedFirst() {
+        QFETCH(bool, commanded);
+        Shown shown({mixedCircle()});
+        shown.open();
+        QVERIFY(!shown.find<QLabel>("diagnosisWarnings")->isVisible());
+        QVERIFY(!shown.find<QToolButton>("correctStartAngle")->isVisible());
+        Document document = *shown.evaluated.document;
+        editMeasurement<CircularMeasurement>(document, 0, [&](CircularMeasurement &circle) {
+            turnAngles(circle, 2);
+            for (Arc &arc : circle.arcs)
+                arc.angleReference = commanded ? AngleReference::commanded : AngleReference::polar;
+        });
+        shown.evaluated = evaluate(std::make_shared<const Document>(document));
+        shown.page.show(shown.evaluated, 0);
+        shown.finish();
+        const auto *warnings = shown.find<QLabel>("diagnosisWarnings");
+        QVERIFY(warnings->isVisible() && warnings->y() < shown.table().y());
+        QVERIFY2(warnings->text().contains("off the axes"), qPrintable(warnings->text()));
+        auto *correct = shown.find<QToolButton>("correctStartAngle");
+        QCOMPARE(correct->isVisible(), commanded);
+        QSignalSpy corrected(&shown.page, &DiagnosisPage::startAngleCorrected);
+        correct->click();
+        QCOMPARE(corrected.size(), 1);
+        QVERIFY(std::abs(corrected[0][0].toDouble() - 2) < 0.5); // readings are 1° apart
+    }
+
+    void whatFitsNoNoiseHasNoInterval() {
+        CircularSynthesis asked = mixedCircle();
+        asked.vibration = {2e-3, 1};
+        Shown shown({asked});
+        shown.open();
+        QVERIFY(shown.find<QLabel>("diagnosisWarnings")->text().contains("a wave of "));
+        for (int row = 0; row < shown.table().rowCount(); ++row)
+            QCOMPARE(shown.cell(row, 3), QString("–"));
+        QVERIFY(!shown.find<QLabel>("sourceTitle")->text().contains("±"));
     }
 
     void theSpaceBarTicks() {

@@ -101,6 +101,19 @@ private slots:
         QVERIFY(circle.find<PageTabs>("pageTabs")->isTabVisible(5));
     }
 
+    void theStartAngleIsCorrectedAndUndone() {
+        const ShownWindow shown(examplePath("iso230-4-full-circles-xy"));
+        DocumentModel &model = shown.window->model();
+        const auto angleOf = [](const Document &document) {
+            return std::get<CircularMeasurement>(document.tests[0]->measurement).arcs[1].angles[7];
+        };
+        const Document before = *model.document();
+        emit shown.find<DiagnosisPage>("diagnosisPage")->startAngleCorrected(0.25);
+        QVERIFY(std::abs(angleOf(*model.document()) - (angleOf(before) - 0.25)) < 1e-9);
+        model.undoStack()->undo();
+        QVERIFY(*model.document() == before);
+    }
+
     void anEditIsDiagnosedAnew() {
         const ShownWindow shown(examplePath("iso230-4-full-circles-xy"));
         shown.window->workplace().showPage(Page::diagnosis);

@@ -77,6 +77,9 @@ private slots:
     void effectsAddUp();
     void lagOfCommandedAngles_data();
     void lagOfCommandedAngles();
+    void turnedAngles_data();
+    void turnedAngles();
+    void resolutionBoundsTheUncertainty();
     void changeOfRadiusBetweenTheArcs();
     void intervalsCoverTheTruth_data();
     void intervalsCoverTheTruth();
@@ -543,6 +546,76 @@ void DiagnosisTest::lagOfCommandedAngles() {
     QVERIFY(std::abs(valueOf(d, InfluenceId::squareness) - 30e-6) < 2e-6);
 }
 
+void DiagnosisTest::turnedAngles_data() {
+    QTest::addColumn<double>("by");
+    QTest::addColumn<bool>("commanded");
+    QTest::addColumn<bool>("steps");
+    QTest::newRow("polar") << 0.3 << false << true;
+    QTest::newRow("commanded") << -0.3 << true << true;
+    QTest::newRow("far") << 1.5 << true << true;
+    QTest::newRow("not at all") << 0.0 << false << true;
+    QTest::newRow("below 0.05°") << 0.04 << true << true;
+    QTest::newRow("nothing to see it by") << 0.3 << true << false;
+}
+
+void DiagnosisTest::turnedAngles() {
+    QFETCH(double, by);
+    QFETCH(bool, commanded);
+    QFETCH(bool, steps);
+    CircularSynthesis asked = machine();
+    asked.points = 1800;
+    asked.noise.deviation = 1e-4;
+    std::erase_if(asked.sources, [&](const CircularSource &s) {
+        const bool step = s.id == InfluenceId::backlash || s.id == InfluenceId::lateralPlay;
+        return s.id == InfluenceId::centre || (!steps && step);
+    });
+    CircularMeasurement measurement = synthesizeCircular(asked);
+    for (Arc &arc : measurement.arcs) {
+        arc.angleReference = commanded ? AngleReference::commanded : AngleReference::polar;
+        for (double &angle : arc.angles)
+            angle += by;
+    }
+    const MadeCircle made(measurement);
+    const Diagnosis d = diagnose(made.circle());
+    const bool stated = steps && std::abs(by) > 0.05;
+    QCOMPARE(d.rotation.angle.has_value(), steps);
+    QCOMPARE(d.rotation.isStated(), stated);
+    const auto statement = rotationStatement(d.rotation);
+    QCOMPARE(statement.has_value(), stated);
+    if (!steps)
+        return;
+    // Readings are 0.2° apart.
+    QVERIFY(d.rotation.bound < 0.15 && d.rotation.u > 0);
+    QVERIFY2(std::abs(*d.rotation.angle - by) <= d.rotation.bound,
+             qPrintable(QString::number(*d.rotation.angle)));
+    QCOMPARE(d.rotation.removed(), stated ? *d.rotation.angle : 0.0);
+    if (stated)
+        QCOMPARE(QByteArray(statement->text.source).contains("start angle"), commanded);
+    QCOMPARE(d.of, 12); // no spike is made of it
+    for (const CircularSource &source : asked.sources) {
+        const auto interval = d.find(source.id, source.axis)->interval();
+        const double slack = 0.03 / unitOf(source.id); // a twentieth of those that miss
+        QVERIFY2(interval && interval->from - slack <= source.value && source.value <= interval->to + slack,
+                 influence(source.id).word);
+    }
+}
+
+/// Readings in steps of 0.5 µm without noise to blur them: no height is known better than four of them tell.
+void DiagnosisTest::resolutionBoundsTheUncertainty() {
+    CircularSynthesis asked = machine();
+    asked.noise = {2e-5, 0, 0, 1};
+    const MadeCircle fine(synthesizeCircular(asked));
+    asked.noise.resolution = 5e-4;
+    const MadeCircle made(synthesizeCircular(asked));
+    QCOMPARE(fine.circle().resolution, 0.0);
+    QVERIFY(std::abs(made.circle().resolution - 5e-4) < 1e-12);
+    const double least = 5e-4 / std::sqrt(48.0);
+    QVERIFY(*diagnose(fine.circle()).find(InfluenceId::backlash, x)->u < least / 5);
+    const Diagnosis d = diagnose(made.circle());
+    for (const PlaneAxis axis : {x, y})
+        QVERIFY(*d.find(InfluenceId::backlash, axis)->u > 0.99 * least);
+}
+
 void DiagnosisTest::changeOfRadiusBetweenTheArcs() {
     // circular.md: r_ccw − r_cw = δ looks like L_x = −0.78 δ, L_y = +0.78 δ.
     CircularSynthesis asked;
@@ -761,6 +834,14 @@ void DiagnosisTest::uncertaintiesAsShown() {
     source.degreesOfFreedom = 10; // t(0.975; 10) = 2.228 139
     QVERIFY(std::abs(source.interval()->from - (0.006 - 2.228139e-3)) < 1e-9);
     QVERIFY(std::abs(source.interval()->to - (0.006 + 2.228139e-3)) < 1e-9);
+    QVERIFY(source.isSeen()); // t(0.9995; 10) = 4.587
+    source.value = 0.0045;
+    QVERIFY(!source.isSeen());
+    source.value = 0.006;
+    QVERIFY(std::abs(*shownExpanded(source) - 2.228139) < 1e-6); // µm
+    source.indication = true;
+    QVERIFY(!source.interval() && !shownExpanded(source) && !source.isSeen());
+    source.indication = false;
     source.degreesOfFreedom = 1e12; // many: as of a million, 1.959 966
     QVERIFY(std::abs(source.interval()->to - (0.006 + 1.959966e-3)) < 1e-9);
     QVERIFY(std::abs(shownUncertainty(source) - 1) < 1e-12); // µm
