@@ -494,7 +494,8 @@ bool areSeveralFeeds(std::span<const DiagnosedCircle> circles) {
 namespace {
 
 constexpr double leastLag = 0.05;         ///< degrees
-constexpr double usualRegistration = 0.1; ///< u of the angles where no step shows it, degrees
+constexpr double usualRegistration = 0.1; ///< u of the angles where no step shows them, degrees
+constexpr double usualStart = 0.5;        ///< the same where the start was entered
 constexpr double leastLeftOut = 0.1;      ///< degrees from a reversal
 constexpr double mostLeftOut = 1;
 
@@ -528,16 +529,32 @@ Diagnosis diagnose(std::span<const DiagnosedCircle> circles, const DiagnosisOpti
     if (rows.used() < std::max(fewestPoints, 2 * terms.size()) || !rows.deviations().allFinite())
         return {};
     StepOffsets steps;
-    const PathRows far(circles, centres, 0, pause, stepReach);
-    if (far.used() >= std::max(fewestPoints, 2 * terms.size()))
+    double lagAngle = 0;
+    double turned = 0;
+    for (int turn = 0; turn < 4; ++turn) { // far offsets bend what is smooth, too
+        const PathRows far(circles, centres, lagAngle, pause, stepReach, turned);
+        if (far.used() < std::max(fewestPoints, 2 * terms.size()))
+            break;
+        if (turn > 0)
+            rows = PathRows(circles, centres, lagAngle, pause, leastLeftOut, turned);
         steps = stepOffsets(rows, InfluenceFit(far, terms), commanded);
-    const double lagAngle =
-        commanded && std::abs(steps.lag) > std::max(leastLag, steps.lagBound) ? steps.lag : 0;
+        steps.lag += lagAngle;
+        if (steps.rotation.angle)
+            *steps.rotation.angle += turned;
+        const double before = std::abs(lagAngle) + std::abs(turned);
+        lagAngle = commanded && std::abs(steps.lag) > std::max(leastLag, steps.lagBound) ? steps.lag : 0;
+        turned = steps.rotation.removed();
+        constexpr double little = 0.3; // degrees
+        if (std::abs(std::abs(lagAngle) + std::abs(turned) - before) < little)
+            break;
+    }
     // As far as the steps show it; nearer readings may lie on the other side.
-    const double turnedBy = steps.rotation.angle ? steps.rotation.u : usualRegistration;
+    const double turnedBy = steps.rotation.angle
+                                ? steps.rotation.u
+                                : std::max(steps.rotation.u, commanded ? usualStart : usualRegistration);
     if (steps.seen)
         rows = PathRows(circles, centres, lagAngle, pause,
-                        std::clamp(2 * turnedBy, leastLeftOut, mostLeftOut), steps.rotation.removed());
+                        std::clamp(2 * turnedBy, leastLeftOut, mostLeftOut), turned);
     InfluenceFit fit(rows, terms);
     std::vector<FoundInfluence> found;
     if (options.search)

@@ -91,15 +91,26 @@ public:
         return result;
     }
 
+    /// Moves a periodic candidate to the pitch that explains most.
+    void refine(const InfluenceFit &fit, Candidate &candidate) const {
+        const FitTerm &term = candidate.terms.front();
+        const PitchScan scan(m_rows, fit, term.axis);
+        const double pitch = scan.refined(term.shape, plausiblePitches, asGood * candidate.noise);
+        candidate.explained = scan.explainedBy(pitch);
+        candidate.terms = cyclicTerms(term.axis, pitch);
+    }
+
     /// Returns other periodic deviations, on either axis, that explain within the bound as much.
-    [[nodiscard]] std::vector<FitTerm> asGoodAs(const Candidate &chosen) const {
+    [[nodiscard]] std::vector<FitTerm> asGoodAs(const InfluenceFit &fit, const Candidate &chosen) const {
         std::vector<FitTerm> result;
         const FitTerm &mine = chosen.terms.front();
         for (const Peak &peak : m_peaks) {
             constexpr double apart = 0.75; // periods over the radius; neighbours explain each other
             const bool same =
                 peak.axis == mine.axis && std::abs(m_radius / peak.pitch - m_radius / mine.shape) < apart;
-            if (!same && peak.explained > chosen.explained - asGood * peak.noise)
+            if (!same && peak.explained > chosen.explained / 2 &&
+                PitchScan(m_rows, fit, peak.axis).explainedBy(peak.pitch) >
+                    chosen.explained - asGood * peak.noise)
                 result.push_back({InfluenceId::cyclic, peak.axis, false, peak.pitch});
         }
         return result;
@@ -338,10 +349,8 @@ std::vector<FoundInfluence> searchInfluences(const PathRows &rows, const Diagnos
         const int trials = search.trials();
         if (candidate.terms.empty() || trials * std::exp(-candidate.score / 2) > worthATrial)
             return false;
-        if (const FitTerm &first = candidate.terms.front(); first.id == InfluenceId::cyclic)
-            candidate.terms = cyclicTerms(
-                first.axis, PitchScan(rows, fit, first.axis)
-                                .refined(first.shape, plausiblePitches, asGood * candidate.noise));
+        if (candidate.terms.front().id == InfluenceId::cyclic)
+            search.refine(fit, candidate);
         std::vector<FitTerm> terms = fit.terms;
         const std::size_t place = terms.size();
         terms.insert(terms.end(), candidate.terms.begin(), candidate.terms.end());
@@ -356,7 +365,7 @@ std::vector<FoundInfluence> searchInfluences(const PathRows &rows, const Diagnos
             return false;
         result.push_back(
             {term.id, term.axis, chance,
-             term.id == InfluenceId::cyclic ? search.asGoodAs(candidate) : std::vector<FitTerm>()});
+             term.id == InfluenceId::cyclic ? search.asGoodAs(fit, candidate) : std::vector<FitTerm>()});
         fit = std::move(more);
         return true;
     };

@@ -46,27 +46,9 @@ std::vector<std::complex<double>> transformed(const std::vector<double> &along,
 
 } // namespace
 
-double explainedByPitch(std::span<const double> along, std::span<const double> curve,
-                        std::span<const double> squares, double periods) {
-    double s = 0;
-    double c = 0;
-    double ss = 0;
-    double sc = 0;
-    double cc = 0;
-    for (std::size_t i = 0; i < along.size(); ++i) {
-        const double sine = std::sin(2 * std::numbers::pi * periods * along[i]);
-        const double cosine = std::cos(2 * std::numbers::pi * periods * along[i]);
-        s += curve[i] * sine;
-        c += curve[i] * cosine;
-        ss += squares[i] * sine * sine;
-        sc += squares[i] * sine * cosine;
-        cc += squares[i] * cosine * cosine;
-    }
-    return withinColumns(s, c, ss, sc, cc);
-}
-
 PitchScan::PitchScan(const PathRows &rows, const InfluenceFit &fit, PlaneAxis axis)
-    : m_step(rows.step())
+    : m_fit(fit.fit)
+    , m_step(rows.step())
     , m_along(rows.positions().size())
     , m_curve(m_along.size())
     , m_squares(m_along.size()) {
@@ -99,19 +81,36 @@ std::vector<double> PitchScan::explained() const {
     return result;
 }
 
+double PitchScan::explainedBy(double pitch) const {
+    Eigen::MatrixX2d columns(Eigen::Index(m_along.size()), 2);
+    for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+        const double along = m_along[std::size_t(i)];
+        const double angle = 2 * std::numbers::pi * m_radius / pitch * along;
+        columns.row(i) << std::sin(angle) * along, std::cos(angle) * along;
+    }
+    const Eigen::MatrixX2d fitted = m_fit.basis.transpose() * columns;
+    const Eigen::Vector2d along = columns.transpose() * m_fit.residual;
+    const Eigen::Matrix2d rest = columns.transpose() * columns - fitted.transpose() * fitted;
+    return withinColumns(along[0], along[1], rest(0, 0), rest(0, 1), rest(1, 1));
+}
+
 double PitchScan::refined(double pitch, std::span<const double> usual, double bound) const {
-    const auto explainedBy = [&](double one) {
-        return explainedByPitch(m_along, m_curve, m_squares, m_radius / one);
-    };
-    constexpr int finer = 16;
     double best = pitch;
     double most = explainedBy(pitch);
-    for (int k = -finer; k <= finer; ++k) {
-        const double one = m_radius / (m_radius / pitch + k * spacing / finer);
-        if (const double part = explainedBy(one); part > most) {
+    const auto look = [&](double periods) {
+        if (const double part = explainedBy(m_radius / periods); part > most) {
             most = part;
-            best = one;
+            best = m_radius / periods;
         }
+    };
+    constexpr double few = 5; // long pitches resemble what is fitted: their scan is no good
+    for (double periods = 1; periods < few && m_radius / pitch < few; periods += 2 * spacing)
+        look(periods);
+    constexpr double finest = spacing / 64;
+    for (double step = spacing; step > finest; step /= 2) {
+        const double periods = m_radius / best;
+        look(periods - step);
+        look(periods + step);
     }
     for (const double one : usual) {
         if (std::abs(m_radius / one - m_radius / best) < spacing && explainedBy(one) >= most - bound)

@@ -25,7 +25,9 @@ struct WhiteSums {
     WhiteSums(const PathRows &rows, const Eigen::VectorXd &white) {
         double last = 0;
         for (Eigen::Index i = 0; i < white.size(); ++i) {
-            if (!rows.counts(i))
+            // Beside omitted readings nothing takes off what neighbours have in common.
+            if (i == 0 || i + 1 == white.size() || !rows.counts(i - 1) || !rows.counts(i) ||
+                !rows.counts(i + 1))
                 continue;
             const PathPosition &p = rows.positions()[std::size_t(i)];
             const auto sector = std::size_t(angleOf(p) / fullTurn * sectors) % sectors;
@@ -34,8 +36,12 @@ struct WhiteSums {
             ++counts[sector + (p.sense < 0 ? sectors : 0)];
             mean += square;
             ++count;
-            changes += white[i] * last < 0;
-            last = white[i];
+            // Small values have the sign of what the resolution leaves of the fit.
+            if (std::abs(white[i]) > 0.5) {
+                changes += white[i] * last < 0;
+                last = white[i];
+                ++signs;
+            }
             if (std::abs(white[i]) > std::abs(white[largest]))
                 largest = i;
         }
@@ -62,6 +68,7 @@ struct WhiteSums {
     std::array<double, 2 * sectors> counts{};
     double mean = 0; ///< square
     double count = 0;
+    double signs = 0;
     double changes = 0; ///< of sign
     Eigen::Index largest = 0;
 };
@@ -87,7 +94,7 @@ std::vector<Message> misfits(const PathRows &rows, const InfluenceFit &fit) {
     see(spectrum.flicker, REPORT_TEXT("report", "noise that grows towards slow waves (1/f)"));
     see(spectrum.slow, REPORT_TEXT("report", "a slow wave or drift"));
     see(sums.ofVariances() < share, REPORT_TEXT("report", "noise that differs between angles or senses"));
-    const double changes = (sums.changes - (sums.count - 1) / 2) / (std::sqrt(sums.count - 1) / 2);
+    const double changes = (sums.changes - (sums.signs - 1) / 2) / (std::sqrt(sums.signs - 1) / 2);
     see(result.empty() && (spectrum.bands < share || normalExceeded(changes) < share),
         REPORT_TEXT("report", "noise of another kind than white with a short memory"));
     return result;

@@ -123,9 +123,11 @@ std::optional<Offset> offsetOf(const PathRows &rows, const InfluenceFit &fit, do
     for (double offset = -widest; offset <= widest; offset += finest)
         sums.push_back(sumOfSquares(near, offset));
     const double best = *std::ranges::min_element(sums);
-    // Noise as far from the reversals, or as near them, whichever is more.
-    const double variance =
-        std::max(fit.noise.variance(0.1), best / double(near.size()) * fit.noise.readingsPerIndependent());
+    // Noise as far from the reversals, or as near them, whichever is more; each of four is one reading at
+    // least.
+    const double count = double(near.size());
+    const double variance = std::max(fit.noise.variance(0.1),
+                                     best / count * std::min(fit.noise.readingsPerIndependent(), count / 4));
     double all = 0;
     Offset offset;
     double low = widest;
@@ -158,21 +160,25 @@ StepOffsets stepOffsets(const PathRows &rows, const InfluenceFit &far, bool comm
         return result;
     const auto forward = offsetOf(rows, far, 1);
     const auto back = offsetOf(rows, far, -1);
-    result.seen = forward || back;
-    const auto boundOf = [](double u, double bound) { return std::min(3 * u, bound); };
+    const double u = std::hypot(forward ? forward->u : 0, back ? back->u : 0) / (forward && back ? 2 : 1);
+    constexpr double located = 1;
+    result.seen = (forward || back) && u < located;
+    result.rotation.u = u;
+    if (!result.seen)
+        return result;
     if (forward && back) {
-        const double u = std::hypot(forward->u, back->u) / 2;
-        const double bound = boundOf(u, (forward->bound + back->bound) / 2);
+        const double bound = std::min(3 * u, (forward->bound + back->bound) / 2);
         result.rotation = {(forward->mean - back->mean) / 2, u, bound, commanded};
         result.lag = (forward->mean + back->mean) / 2;
         result.lagBound = bound;
-    } else if (const auto one = forward ? forward : back) {
-        const double bound = boundOf(one->u, one->bound);
-        if (commanded)
-            std::tie(result.lag, result.lagBound) = std::pair(one->mean, bound);
-        else
-            result.rotation = {forward ? one->mean : -one->mean, one->u, bound, commanded};
+        return result;
     }
+    const Offset one = forward ? *forward : *back;
+    const double bound = std::min(3 * u, one.bound);
+    if (commanded)
+        std::tie(result.lag, result.lagBound) = std::pair(one.mean, bound);
+    else
+        result.rotation = {forward ? one.mean : -one.mean, u, bound, commanded};
     return result;
 }
 

