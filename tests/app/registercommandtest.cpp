@@ -352,6 +352,14 @@ void RegisterCommandTest::theListIsTheTable() {
     for (qsizetype i = 0; i < cells.size(); ++i)
         QCOMPARE(QByteArray(cells[i]).replace(',', '.'), points[i]);
     QVERIFY(cells[14].startsWith("0,0"));
+    QByteArray zoned = contents(file);
+    zoned.replace("\"kind\": \"positioning\"",
+                  "\"kind\": \"positioning\", \"zone\": {\"from\": 0, \"to\": 500}");
+    const QString folder = m_dir->filePath("zoned");
+    QVERIFY(QDir().mkpath(folder));
+    write(folder + "/a.palmer", zoned);
+    QCOMPARE(reg({"scan", folder}).code, 0);
+    QVERIFY(reg({"list", "--text", folder}).out.contains("0\u00A0…\u00A0500\u00A0mm"));
 }
 
 /// A drive that is not connected takes nothing away.
