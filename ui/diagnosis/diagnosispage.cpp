@@ -20,6 +20,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -68,14 +69,21 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     m_table->setFocusPolicy(Qt::StrongFocus);
     m_table->installEventFilter(this);
     m_warnings = made<QLabel>("diagnosisWarnings", trait::plainText, trait::wrapped, m_content);
-    m_correct = made<QToolButton>("correctStartAngle", trait::strongFocus, m_content);
+    m_correct = made<QPushButton>("correctStartAngle", trait::notDefault, m_content);
     m_title = made<QLabel>("sourceTitle", trait::plainText, trait::wrapped, m_content);
     m_text = made<QLabel>("sourceText", trait::plainText, trait::wrapped, m_content);
     m_remarks = made<QLabel>("diagnosisRemarks", trait::plainText, trait::wrapped, m_content);
     for (QLabel *label : {m_title, m_text, m_remarks})
         label->setProperty("secondary", label != m_title);
     inColumn(m_content, {pageMargin, 0, pageMargin, 8}, 4,
-             {m_warnings, m_correct, m_table, Placed::gap(6), m_title, m_text, m_remarks, {makeBelow(), 1}});
+             {m_warnings,
+              {m_correct, 0, Qt::AlignLeft},
+              m_table,
+              Placed::gap(6),
+              m_title,
+              m_text,
+              m_remarks,
+              {makeBelow(), 1}});
     m_area->setWidget(m_content);
     m_empty->setAlignment(Qt::AlignCenter);
     inColumn(this, noMargins, 0, {head, bar, {m_area, 1}, {m_empty, 1}});
@@ -87,8 +95,10 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
         if (isVisible())
             emit pathsWanted(paths);
     });
-    connect(m_correct, &QToolButton::clicked, this,
-            [this] { emit startAngleCorrected(diagnosis()->rotation.removed()); });
+    connect(m_correct, &QPushButton::clicked, this, [this] {
+        m_table->setFocus(); // the button goes: the page would scroll to what follows
+        emit startAngleCorrected(diagnosis()->rotation.removed());
+    });
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showRow(row); });
     retranslate();
 }

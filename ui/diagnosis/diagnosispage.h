@@ -91,7 +91,7 @@ private:
     QWidget *m_content = nullptr;
     RowTable *m_table = nullptr;
     QLabel *m_warnings = nullptr; ///< what has to be known before any source
-    QToolButton *m_correct = nullptr;
+    QPushButton *m_correct = nullptr;
     QLabel *m_title = nullptr;
     QLabel *m_text = nullptr;
     QToolButton *m_rest = nullptr;

@@ -12,6 +12,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSignalSpy>
 #include <QTest>
@@ -172,7 +173,7 @@ private slots:
         Shown shown({mixedCircle()});
         shown.open();
         QVERIFY(!shown.find<QLabel>("diagnosisWarnings")->isVisible());
-        QVERIFY(!shown.find<QToolButton>("correctStartAngle")->isVisible());
+        QVERIFY(!shown.find<QPushButton>("correctStartAngle")->isVisible());
         Document document = *shown.evaluated.document;
         editMeasurement<CircularMeasurement>(document, 0, [&](CircularMeasurement &circle) {
             turnAngles(circle, 2);
@@ -185,7 +186,7 @@ private slots:
         const auto *warnings = shown.find<QLabel>("diagnosisWarnings");
         QVERIFY(warnings->isVisible() && warnings->y() < shown.table().y());
         QVERIFY2(warnings->text().contains("off the axes"), qPrintable(warnings->text()));
-        auto *correct = shown.find<QToolButton>("correctStartAngle");
+        auto *correct = shown.find<QPushButton>("correctStartAngle");
         QCOMPARE(correct->isVisible(), commanded);
         QSignalSpy corrected(&shown.page, &DiagnosisPage::startAngleCorrected);
         correct->click();
