@@ -491,7 +491,7 @@ QStringList widthsAreThoseOfTheFont(Tagged &file) {
             const QRawFont embedded(QByteArray(reinterpret_cast<const char *>(bytes->getBuffer()),
                                                static_cast<qsizetype>(bytes->getSize())),
                                     1000, QFont::PreferNoHinting);
-            const std::vector<Handle> list = own.getKey("/W").getArrayAsVector();
+            std::vector<Handle> list = own.getKey("/W").getArrayAsVector();
             if (!embedded.isValid() || list.size() != 2 || !list[1].isArray()) {
                 wrong << u"a font or its widths cannot be read"_s;
                 continue;
