@@ -20,7 +20,8 @@ struct ReportMetadata {
     bool operator==(const ReportMetadata &) const = default;
 };
 
-/// The packet, with the declaration of PDF/A-3a and PDF/UA-1 and the schema of our own properties, without any time.
+/// The packet, with the declaration of PDF/A-3a and PDF/UA-1 and the schema of our own properties, without
+/// any time.
 [[nodiscard]] QByteArray xmpPacket(const ReportMetadata &metadata);
 
 /// Reads our own packet: title, author, language and `making`. Null if it is not XML, was written by another

@@ -37,7 +37,7 @@ struct Surroundings {
     std::optional<std::string> reportDate;    ///< YYYY-MM-DD, like the two below
     std::optional<std::string> performedFrom; ///< when the tests of the report were made
     std::optional<std::string> performedTo;
-    std::optional<StatedHead> accredited;     ///< null: the laboratory states no accreditation
+    std::optional<StatedHead> accredited;         ///< null: the laboratory states no accreditation
     std::optional<double> environmentalVariation; ///< range of the named drift test, mm or degrees
     std::shared_ptr<const Simulation> simulation; ///< run for the test; null: none
     bool simulationOutdated = false;              ///< the test was edited since

@@ -133,8 +133,8 @@ private slots:
         editTest(document, 0, [](Test &test) { test.instruments = {"laser"}; });
         const auto lacking = [&] {
             std::set<std::string> keys;
-            for (const Finding &finding :
-                 evaluate(std::make_shared<const Document>(document)).tests[0]->findings) {
+            const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+            for (const Finding &finding : evaluated.tests[0]->findings) {
                 if (finding.id == std::string_view("accredited") && finding.source == Source::laboratory &&
                     !finding.state)
                     keys.insert(finding.keys.front());

@@ -12,7 +12,8 @@ namespace palmer::testdata {
 
 struct Setup {
     Machine machine{"M", "maker", "type", "1", "", {}, "", ""};
-    Instrument laser{"laser", "laser interferometer", "", "", "2", "C-1", "", "2026-01-01", "2027-01-01", {}, {}};
+    Instrument laser{"laser", "laser interferometer", "",           "", "2", "C-1",
+                     "",      "2026-01-01",           "2027-01-01", {}, {}};
     Test test;
     bool otherTest = false;
     Surroundings around; ///< what the report and the other tests say
