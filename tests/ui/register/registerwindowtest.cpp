@@ -365,11 +365,11 @@ private slots:
         press(Qt::Key_Return);
         QCOMPARE(opened.size(), 1);
         // Texts that carry their colours have those of the dark.
-        for (const char *name : {"trendLegend", "trendFacts"}) {
-            const QString text = find<QLabel>(name)->text();
-            QVERIFY2(text.contains(token(Token::secondaryText, m_window->palette()).name()),
-                     qPrintable(text));
-        }
+        const auto shows = [this](const char *name, Token colour) {
+            return find<QLabel>(name)->text().contains(token(colour, m_window->palette()).name());
+        };
+        QVERIFY(shows("trendLegend", Token::accent));
+        QVERIFY(shows("trendFacts", Token::secondaryText));
     }
 
     void theStatusBarCounts() {
