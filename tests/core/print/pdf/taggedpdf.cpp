@@ -188,8 +188,9 @@ struct Element {
 /// A report taken apart.
 class Tagged {
 public:
-    explicit Tagged(const QByteArray &bytes) {
-        pdf.processMemoryFile("report", bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    explicit Tagged(QByteArray bytes)
+        : m_bytes(std::move(bytes)) {
+        pdf.processMemoryFile("report", m_bytes.constData(), static_cast<std::size_t>(m_bytes.size()));
         for (Handle page : pdf.getAllPages()) {
             numbers[page.getObjGen()] = pages.size();
             pages.emplace_back(page);
@@ -220,6 +221,7 @@ public:
     QStringList problems;
 
 private:
+    const QByteArray m_bytes; ///< that libqpdf reads from as long as it lives
     template <class Visit>
     static void eachOf(const Element &element, Visit &visit) {
         visit(element);
