@@ -100,8 +100,12 @@ QString MachineChoices::machineOf(const QString &identity) const {
     QString result = identity;
     std::set<QString> seen;
     for (auto next = joined.find(result); next != joined.end(); next = joined.find(result)) {
-        if (!seen.insert(result).second) // two files join each to the other
-            return *seen.begin();
+        if (!seen.insert(result).second) { // files join each to the other: the first of them
+            QString first = result;
+            for (QString one = joined.at(result); one != result; one = joined.at(one))
+                first = std::min(first, one);
+            return first;
+        }
         result = next->second;
     }
     return result;

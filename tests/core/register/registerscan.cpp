@@ -731,6 +731,10 @@ void RegisterScanTest::whatIsSaidOfMachines() {
     choices.add(withChoice({}, b, &a, 6));
     QCOMPARE(choices.machineOf(machineIdentity(a)), choices.machineOf(machineIdentity(b)));
     QCOMPARE(choices.interval(choices.machineOf(machineIdentity(a))), std::optional(6));
+    // Another that is joined to one of them belongs to the same, though its name comes first.
+    const MachineFields third{"0", "", "", ""};
+    choices.add(withChoice({}, a, &third, {}));
+    QCOMPARE(choices.machineOf(machineIdentity(third)), choices.machineOf(machineIdentity(b)));
 }
 
 /// Whoever may only read lists it, whoever else is writing, and leaves nothing behind.
