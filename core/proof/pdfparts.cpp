@@ -222,6 +222,8 @@ void addAnnotations(PdfParts &result, Handle page, int number) {
             result.additions.push_back({PdfAddition::Kind::form, number, {}});
         } else if (!isOwnLink(annotation)) {
             result.additions.push_back({PdfAddition::Kind::annotation, number, kind.substr(1)});
+        } else {
+            result.beside.push_back(textOf(annotation, "/Contents"));
         }
     }
 }
@@ -264,9 +266,9 @@ PdfParts dissected(QPDF &document) {
     const std::vector<Handle> &pages = document.getAllPages();
     if (pages.size() > mostPages)
         throw std::runtime_error("too many pages");
+    result.beside = besideThePages(document);
     for (std::size_t i = 0; i < pages.size(); ++i)
         addAnnotations(result, pages[i], static_cast<int>(i) + 1);
-    result.beside = besideThePages(document);
     requireTame(document);
     if (document.anyWarnings()) // the library read on; another reader may not find the attachment
         throw std::runtime_error("damaged");

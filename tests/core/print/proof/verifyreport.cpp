@@ -324,6 +324,12 @@ void VerifyReport::whatStandsBesideThePagesFollowsToo() {
                 }
             }
         },
+        [&](QPDF &pdf) { // where a link is said to lead
+            for (Handle one : pdf.getAllObjects()) {
+                if (one.isDictionary() && one.hasKey("/Contents") && one.hasKey("/StructParent"))
+                    one.replaceKey("/Contents", forged);
+            }
+        },
         [&](QPDF &pdf) { pdf.getRoot().getKey("/StructTreeRoot").getKey("/K").replaceKey("/T", forged); },
         [&](QPDF &pdf) { pdf.getRoot().removeKey("/StructTreeRoot"); },
     };
