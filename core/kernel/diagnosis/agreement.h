@@ -6,7 +6,7 @@
 
 namespace palmer {
 
-/// What speaks against single terms of a fit.
+/// Objections to single terms of a fit.
 struct Agreement {
     std::vector<std::vector<Message>> objections; ///< per term
     bool stepBetweenSenses = false; ///< radii that differ between the senses explain more than lateral play

@@ -9,8 +9,8 @@
 
 namespace palmer {
 
-/// What cyclic errors of one axis would explain of the residual of a fit, for all pitches from twice the
-/// largest step between readings to the diameter.
+/// The part of the residual of a fit that cyclic errors of one axis would explain, for all pitches from
+/// twice the largest step between readings to the diameter.
 class PitchScan {
 public:
     PitchScan(const PathRows &rows, const InfluenceFit &fit, PlaneAxis axis);

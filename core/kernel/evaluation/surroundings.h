@@ -11,7 +11,8 @@
 
 namespace palmer {
 
-/// What the head of a report states of what a certificate of an accredited laboratory has.
+/// The statements that the certificate of an accredited laboratory needs: true if the head of the report
+/// has them.
 struct StatedHead {
     bool laboratoryAddress = false;
     bool number = false;
