@@ -122,7 +122,7 @@ void InstrumentsPage::addFields(std::size_t k) {
     addText("serialNumber", ofInstrument<&Instrument::serialNumber>(k));
     beginRow();
     addText("certificate", ofInstrument<&Instrument::certificate>(k));
-    addText({"calibratedBy", QT_TR_NOOP("Calibrated by")}, ofInstrument<&Instrument::calibratedBy>(k));
+    addText("calibratedBy", ofInstrument<&Instrument::calibratedBy>(k));
     beginRow();
     addText({"", QT_TR_NOOP("Traceable to")},
             ofInstrument<&Instrument::traceability, &Traceability::laboratory>(k));

@@ -67,7 +67,7 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     addDate({"", QT_TR_NOOP("Performed from")}, ofReport<&ReportHead::performedFrom>());
     addDate({"", QT_TR_NOOP("to")}, ofReport<&ReportHead::performedTo>());
     beginRow();
-    addText({"place", QT_TR_NOOP("Place")}, ofReport<&ReportHead::place>());
+    addText("place", ofReport<&ReportHead::place>());
     addText({"", QT_TR_NOOP("Operator")}, ofReport<&ReportHead::operatorName>());
     beginRow();
     addText({"", QT_TR_NOOP("Order")}, ofReport<&ReportHead::order>());
@@ -101,8 +101,7 @@ void IdentificationPage::addLaboratory() {
     beginRow();
     addLongText("address", within<&ReportHead::laboratory, &Laboratory::address>());
     beginRow();
-    addText({"authorisedBy", QT_TR_NOOP("Authorised by")},
-            within<&ReportHead::authorisedBy, &Authorisation::name>());
+    addText("authorisedBy", within<&ReportHead::authorisedBy, &Authorisation::name>());
     addText({"", QT_TR_NOOP("Function")}, within<&ReportHead::authorisedBy, &Authorisation::function>());
 
     addPicture(QT_TR_NOOP("Logo"), QT_TR_NOOP("Choose the logo…"), QT_TR_NOOP("Remove the logo"),
