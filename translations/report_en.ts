@@ -290,5 +290,33 @@
             <numerusform>%n questions are open: nothing was imported; each wants its own answer with --set</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n check(s)</source>
+        <translation>
+            <numerusform>%n check</numerusform>
+            <numerusform>%n checks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test(s)</source>
+        <translation>
+            <numerusform>%n test</numerusform>
+            <numerusform>%n tests</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>all %n row(s) met</source>
+        <translation>
+            <numerusform>the only row met</numerusform>
+            <numerusform>all %n rows met</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 rows met</source>
+        <translation>
+            <numerusform>%n of %1 rows met</numerusform>
+            <numerusform>%n of %1 rows met</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

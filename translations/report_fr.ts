@@ -9446,5 +9446,160 @@
         <source>What the revision changes.</source>
         <translation>Ce que la révision change.</translation>
     </message>
+    <message>
+        <source>expected nothing here, for “from” takes it from a test</source>
+        <translation>rien n’est attendu ici, car «&#xa0;from&#xa0;» le prend d’un essai</translation>
+    </message>
+    <message>
+        <source>expected a number, a list of the least and the largest value, or null</source>
+        <translation>attendu&#xa0;: un nombre, une liste de la plus petite et de la plus grande valeur, ou null</translation>
+    </message>
+    <message>
+        <source>expected the least value before the largest</source>
+        <translation>attendu&#xa0;: la plus petite valeur avant la plus grande</translation>
+    </message>
+    <message>
+        <source>Acceptance sheet</source>
+        <translation>Fiche de réception</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <comment>of the acceptance sheet</comment>
+        <translation>Contrôles</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <comment>of the acceptance sheet</comment>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Row %1 of the acceptance sheet is not measured: this report has no test “%2”.</source>
+        <translation>Ligne %1 de la fiche de réception non mesurée&#xa0;: ce rapport n’a pas d’essai «&#xa0;%2&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Row %1 of the acceptance sheet is not measured: test “%2” has no result “%3”.</source>
+        <translation>Ligne %1 de la fiche de réception non mesurée&#xa0;: l’essai «&#xa0;%2&#xa0;» n’a pas de résultat «&#xa0;%3&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Row %1 of the acceptance sheet is not measured: test “%2” has no value of “%3”.</source>
+        <translation>Ligne %1 de la fiche de réception non mesurée&#xa0;: l’essai «&#xa0;%2&#xa0;» n’a pas de valeur de «&#xa0;%3&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>What is checked on a machine beside its tests: geometry, run-out, level. Each row has a number, an object, a tolerance, a measured value with its U (k = 2) and a unit. Objects and tolerances are those of the parties: Palmer ships none.</source>
+        <translation>Ce qui est contrôlé sur une machine en plus de ses essais&#xa0;: géométrie, battements, nivellement. Chaque ligne porte un numéro, un objet, une tolérance, une valeur mesurée avec son U (k&#xa0;=&#xa0;2) et une unité. Objets et tolérances sont ceux des parties&#xa0;: Palmer n’en fournit aucun.</translation>
+    </message>
+    <message>
+        <source>One number limits the magnitude of the value; two, the least and the largest, its signed value. Units are printed as typed and never converted.</source>
+        <translation>Un nombre limite la valeur absolue&#x202f;; deux nombres, le plus petit et le plus grand, la valeur affectée de son signe. Les unités sont imprimées telles que saisies et jamais converties.</translation>
+    </message>
+    <message>
+        <source>A row from a test</source>
+        <translation>Une ligne reprise d’un essai</translation>
+    </message>
+    <message>
+        <source>A row may name a parameter of a test of the report: value, U, limit and unit then are those of the test, and change with it.</source>
+        <translation>Une ligne peut nommer une grandeur d’un essai du rapport&#xa0;: valeur, U, limite et unité sont alors celles de l’essai et changent avec lui.</translation>
+    </message>
+    <message>
+        <source>One decision rule holds for all rows. The verdict of the report is the worst of those of sheet and tests. A row without a value is “not measured”: as long as there is one, the sheet is not proven. A row that does not apply needs a reason.</source>
+        <translation>Une seule règle de décision vaut pour toutes les lignes. Le verdict du rapport est le plus défavorable de ceux de la fiche et des essais. Une ligne sans valeur est «&#xa0;non mesurée&#xa0;»&#xa0;: tant qu’il en reste une, la fiche n’est pas prouvée. Une ligne sans objet doit en donner la raison.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n check(s)</source>
+        <translation>
+            <numerusform>%n contrôle</numerusform>
+            <numerusform>%n contrôles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test(s)</source>
+        <translation>
+            <numerusform>%n essai</numerusform>
+            <numerusform>%n essais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>test %1</source>
+        <translation>essai %1</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <comment>a row of the sheet</comment>
+        <translation>non mesurée</translation>
+    </message>
+    <message>
+        <source>no tolerance</source>
+        <translation>sans tolérance</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <comment>a row of the sheet</comment>
+        <translation>sans objet</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <comment>number of a row</comment>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <comment>value</comment>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <comment>part of a verdict</comment>
+        <translation>Fiche</translation>
+    </message>
+    <message numerus="yes">
+        <source>all %n row(s) met</source>
+        <translation>
+            <numerusform>la seule ligne respectée</numerusform>
+            <numerusform>les %n lignes respectées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 rows met</source>
+        <translation>
+            <numerusform>%n ligne sur %1 respectée</numerusform>
+            <numerusform>%n lignes sur %1 respectées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>tests</comment>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <comment>legend</comment>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <comment>legend</comment>
+        <translation>tolérance</translation>
+    </message>
+    <message>
+        <source>Decision rule: %1</source>
+        <translation>Règle de décision&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The verdict of the report is the worst of those of sheet and tests; a row that is not measured forbids “all met”. Objects and tolerances are those of the parties.</source>
+        <translation>Le verdict du rapport est le plus défavorable de ceux de la fiche et des essais&#x202f;; une ligne non mesurée interdit «&#xa0;toutes respectées&#xa0;». Objets et tolérances sont ceux des parties.</translation>
+    </message>
+    <message>
+        <source>Verdict of the tests</source>
+        <translation>Verdict des essais</translation>
+    </message>
+    <message>
+        <source>%1 for %2</source>
+        <comment>measured, tolerance</comment>
+        <translation>%1 pour %2</translation>
+    </message>
 </context>
 </TS>

@@ -416,6 +416,10 @@
             <numerusform>%1 · %2 points, %n passes</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Acceptance sheet of a machine</source>
+        <translation>Fiche de réception d’une machine</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::AgreedPointsPage</name>
@@ -4399,10 +4403,6 @@ est la même machine que&#xa0;:</translation>
             <numerusform>%n exigence non déclarée</numerusform>
             <numerusform>%n exigences non déclarées</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>test %1</source>
-        <translation>essai %1</translation>
     </message>
     <message>
         <source>test %1 of %2</source>

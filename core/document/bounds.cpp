@@ -89,6 +89,7 @@ private:
         requireLength(text, place, demands);
     }
     static void check(const Point3 &, const Place &, unsigned) {}
+    static void check(const Permitted &, const Place &, unsigned) {}
     static void check(const TestPointer &test, const Place &place, unsigned demands) {
         check(*test, place, demands);
     }

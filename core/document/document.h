@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/measurement/machine.h"
+#include "kernel/measurement/sheet.h"
 #include "kernel/measurement/test.h"
 
 #include <cstddef>
@@ -94,6 +95,8 @@ struct ReportHead {
     Rounding rounding = Rounding::palmer;
     std::string adjustments;
     std::string remarks;
+    std::vector<SheetRow> sheet = {}; ///< what was checked beside the tests
+    DecisionRule decisionRule = {};   ///< of the sheet
 
     bool operator==(const ReportHead &) const = default;
 };

@@ -224,12 +224,19 @@ std::optional<double> driftRange(const Document &document, const std::string &id
 }
 
 std::optional<Verdict> EvaluatedDocument::verdict() const {
-    std::optional<Verdict> result;
+    std::optional<Verdict> result = verdictOf(sheet());
     for (std::size_t i = 0; i < tests.size(); ++i) {
         if (countsForVerdict(*document, i))
             result = worst(result, tests[i]->verdict);
     }
     return result;
+}
+
+std::vector<SheetResult> EvaluatedDocument::sheet() const {
+    std::vector<NamedTest> named;
+    for (std::size_t i = 0; i < tests.size(); ++i)
+        named.push_back({document->tests[i]->id, tests[i].get()});
+    return evaluateSheet(document->report.sheet, document->report.decisionRule, named);
 }
 
 bool EvaluatedDocument::isPending(std::size_t test) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "kernel/evaluation/evaluatesheet.h"
 #include "kernel/evaluation/testevaluation.h"
 #include "kernel/simulation/simulate.h"
 
@@ -34,8 +35,10 @@ struct EvaluatedDocument {
     std::vector<TestSimulation> simulations;  ///< likewise; those of `previous` are kept
     std::vector<std::size_t> pending;         ///< indices of tests waiting for results, see awaitingResults
 
-    /// Returns the worst verdict of the tests; null if none has a limit.
+    /// Returns the worst verdict of tests and acceptance sheet; null if none has a limit.
     [[nodiscard]] std::optional<Verdict> verdict() const;
+    /// The rows of the acceptance sheet, judged by the rule of the report.
+    [[nodiscard]] std::vector<SheetResult> sheet() const;
     [[nodiscard]] bool isPending(std::size_t test) const;
 };
 

@@ -63,6 +63,33 @@ void fields(Visit &visit, T &authorisation) {
     visit("function", authorisation.function);
 }
 
+template <class Visit, Like<DecisionRule> T>
+void fields(Visit &visit, T &decision) {
+    visit("rule", decision.rule);
+    visit("guardFactor", decision.guardFactor, notNegative);
+}
+
+template <class Visit, Like<SheetSource> T>
+void fields(Visit &visit, T &source) {
+    visit("test", source.test, obligatory);
+    visit("parameter", source.parameter, obligatory);
+}
+
+template <class Visit, Like<SheetRow> T>
+void fields(Visit &visit, T &row) {
+    visit("number", row.number, latest);
+    visit("object", row.object, latest);
+    visit("permitted", row.permitted, latest);
+    visit("measured", row.measured, latest);
+    visit("uncertainty", row.uncertainty, latest | notNegative);
+    visit("unit", row.unit, latest);
+    visit("instrument", row.instrument, latest);
+    visit("remark", row.remark, latest | longText);
+    visit("standard", row.standard, latest);
+    visit("notApplicable", row.notApplicable, latest);
+    visit("from", row.from, latest);
+}
+
 template <class Visit, Like<ReportHead> T>
 void fields(Visit &visit, T &report) {
     visit("title", report.title);
@@ -92,6 +119,8 @@ void fields(Visit &visit, T &report) {
     visit("rounding", report.rounding, latest);
     visit("adjustments", report.adjustments);
     visit("remarks", report.remarks, longText);
+    visit("sheet", report.sheet, latest);
+    visit("decisionRule", report.decisionRule, latest);
 }
 
 template <class Visit, Like<Machine> T>
@@ -313,12 +342,6 @@ void fields(Visit &visit, T &limit) {
     visit("value", limit.value);
     visit("edition", limit.edition);
     visit("source", limit.source);
-}
-
-template <class Visit, Like<DecisionRule> T>
-void fields(Visit &visit, T &decision) {
-    visit("rule", decision.rule);
-    visit("guardFactor", decision.guardFactor, notNegative);
 }
 
 template <class Visit, Like<ImportedResult> T>

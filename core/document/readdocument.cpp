@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -173,7 +174,26 @@ void check(const Limit &limit, const Place &place) {
         requireEdition(*limit.edition, Place(place, "edition"));
 }
 
+void check(const SheetRow &row, const Place &place) {
+    const std::array own{std::pair{"permitted", row.permitted.high.has_value()},
+                         std::pair{"measured", row.measured.has_value()},
+                         std::pair{"uncertainty", row.uncertainty.has_value()},
+                         std::pair{"unit", !row.unit.empty()}};
+    for (const auto &[key, stated] : own)
+        require(!row.from || !stated, Place(place, key),
+                REPORT_TEXT("report", "expected nothing here, for “from” takes it from a test"));
+}
+
 void check(const ReportHead &report, const Place &place) {
+    const Place atSheet(place, "sheet");
+    std::set<std::string_view> numbers;
+    for (std::size_t i = 0; i < report.sheet.size(); ++i) {
+        const std::string &number = report.sheet[i].number;
+        if (!number.empty() && !numbers.insert(number).second)
+            refuseAt(Place(Place(atSheet, i), "number"),
+                     REPORT_TEXT("report", "“%1” stands here twice; expected it once"), {excerpt(number)});
+    }
+
     require(!report.languages.empty(), Place(place, "languages"),
             REPORT_TEXT("report", "expected at least one language"));
     const Place at(place, "editions");
@@ -498,6 +518,27 @@ private:
         requireEqual(value.size(), member.size(), place);
         for (std::size_t i = 0; i < member.size(); ++i)
             read(value[i], member[i], Place(place, i));
+    }
+
+    /// A number, or the smallest and the largest value.
+    static void read(const json &value, Permitted &member, const Place &place, unsigned = nothing) {
+        const auto number = [&](const json &one, const Place &at) {
+            require(one.is_number(), at, REPORT_TEXT("report", "expected a number"));
+            return one.get<double>();
+        };
+        if (!value.is_array()) {
+            require(value.is_number(), place,
+                    REPORT_TEXT("report", "expected a number, a list of the least and the largest value, or "
+                                          "null"));
+            member = {std::nullopt, number(value, place)};
+            requireSign(*member.high, place, notNegative);
+            return;
+        }
+        requireEqual(value.size(), 2, place);
+        member = {number(value[0], Place(place, std::size_t{0})),
+                  number(value[1], Place(place, std::size_t{1}))};
+        require(*member.low <= *member.high, place,
+                REPORT_TEXT("report", "expected the least value before the largest"));
     }
 
     template <class T>

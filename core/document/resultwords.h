@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/filewords.h"
+#include "kernel/evaluation/evaluatesheet.h"
 #include "kernel/evaluation/testevaluation.h"
 
 #include <optional>
@@ -30,6 +31,13 @@ inline constexpr auto
     fileWords<NotEvaluable> = wordsInOrder<NotEvaluable>("oneRun", "oneDirection", "oneSense",
                                                          "feedbackSignal", "notCalibrated", "notCalibrated",
                                                          "noSuchParameter", "otherEdition", "noValue");
+template <>
+inline constexpr auto fileWords<SheetState> = wordsInOrder<SheetState>("conforms", "notProven",
+                                                                       "doesNotConform", "notMeasured",
+                                                                       "noLimit", "notApplicable");
+template <>
+inline constexpr auto fileWords<SheetGap> = wordsInOrder<SheetGap>("noSuchTest", "noSuchParameter",
+                                                                   "noValue");
 template <>
 inline constexpr auto fileWords<Accordance> = wordsInOrder<Accordance>("notChecked", "no", "notShown",
                                                                        "partly", "yes");

@@ -67,7 +67,13 @@ bool hasRejection(const EvaluatedDocument &evaluated) {
             isRejected(*evaluated.document->tests[i], *evaluated.tests[i]))
             return true;
     }
-    return false;
+    const std::vector<SheetResult> sheet = evaluated.sheet();
+    const std::optional<Verdict> verdict = verdictOf(sheet);
+    const bool anyOpen =
+        std::ranges::find(sheet, SheetState::notMeasured, &SheetResult::state) != sheet.end();
+    return anyOpen || verdict == Verdict::doesNotConform ||
+           (verdict == Verdict::notProven &&
+            evaluated.document->report.decisionRule.rule != Rule::rejectionProven);
 }
 
 } // namespace palmer

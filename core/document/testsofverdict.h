@@ -19,8 +19,9 @@ namespace palmer {
 /// if the test is not as left.
 [[nodiscard]] std::optional<std::size_t> testAsFound(const Document &document, std::size_t asLeft);
 
-/// True if a test has a verdict other than "conforms"; if rejection must be proven, only for "does not
-/// conform". Tests as found do not count if there are others.
+/// True if a test or the acceptance sheet has a verdict other than "conforms"; if rejection must be proven,
+/// only for "does not conform" and rows that are not measured. Tests as found do not count if there are
+/// others.
 [[nodiscard]] bool hasRejection(const EvaluatedDocument &evaluated);
 
 } // namespace palmer

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <vector>
 
@@ -81,6 +82,7 @@ private:
         return values.empty() || (isScalar<T> && JsonPrinter::isSmallList(values.size()));
     }
     static bool isSmall(const Point3 &) { return true; }
+    static bool isSmall(const Permitted &) { return true; }
     template <class T>
     static bool isSmall(const std::map<std::string, T> &values) {
         return values.empty();
@@ -116,6 +118,12 @@ private:
     }
     static void print(JsonPrinter &printer, const Point3 &values, const Place &place) {
         printList<Point3::value_type>(printer, values, place);
+    }
+    static void print(JsonPrinter &printer, const Permitted &value, const Place &place) {
+        if (value.low)
+            printList<double>(printer, std::array{*value.low, value.high.value_or(0)}, place);
+        else
+            print(printer, value.high, place);
     }
     template <class T>
     static void print(JsonPrinter &printer, const std::map<std::string, T> &values, const Place &place) {
@@ -196,6 +204,7 @@ private:
             look(value);
     }
     void look(const Point3 &) {}
+    void look(const Permitted &) {}
     void look(const std::vector<ReportExtra> &extras) {
         need(std::ranges::find(extras, ReportExtra::diagnosis) != extras.end(), 2);
     }

@@ -4,11 +4,13 @@
 
 #include "document/fieldvalue.h"
 #include "document/filewords.h"
+#include "document/resultwords.h"
 #include "document/visibletexts.h"
 #include "document/writedocument.h"
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "kernel/words/shortest.h"
 #include "language/rounding.h"
 #include "report/parts/parts.h"
 #include "report/words/accordancetext.h"
@@ -54,6 +56,21 @@ const char *conformityOf(const Parameter &parameter) {
     return *parameter.verdict == Verdict::conforms ? "pass" : "fail";
 }
 
+const char *conformityWord(Verdict verdict) {
+    return inOrder(verdict, {"pass", "noPass", "fail"});
+}
+
+/// Units of the acceptance sheet that D-SI has.
+constexpr std::array<std::pair<std::string_view, const char *>, 8> typedUnits{
+    {{"mm", "\\milli\\metre"},
+     {"µm", "\\micro\\metre"},
+     {"m", "\\metre"},
+     {"mm/m", "\\milli\\metre\\metre\\tothe{-1}"},
+     {"µm/m", "\\micro\\metre\\metre\\tothe{-1}"},
+     {"deg", "\\degree"},
+     {"°", "\\degree"},
+     {"″", "\\arcsecond"}}};
+
 /// The same text in French and in English.
 struct Both {
     QString french;
@@ -80,6 +97,8 @@ public:
         within("dcc:measurementResults", [&] {
             for (std::size_t i = 0; i < document().tests.size(); ++i)
                 within("dcc:measurementResult", [&] { writeTest(i); });
+            if (!head().sheet.empty())
+                within("dcc:measurementResult", [&] { writeSheet(); });
         });
         m_xml.writeEndDocument();
     }
@@ -481,6 +500,86 @@ private:
         });
     }
 
+    // ---- Acceptance sheet ----
+
+    /// A number with a unit that the user typed: as such if it is a length or an angle, else in words.
+    void writeSheetNumber(double value, std::optional<double> uncertainty, const std::string &unit) {
+        const auto known =
+            std::ranges::find(typedUnits, unit, &std::pair<std::string_view, const char *>::first);
+        if (known == typedUnits.end()) {
+            said("dcc:noQuantity",
+                 joined({QString::fromStdString(shortest(value)), QString::fromStdString(unit)},
+                        QStringLiteral(" "))
+                         .toStdString() +
+                     (uncertainty ? ", U = " + shortest(*uncertainty) : std::string()));
+            return;
+        }
+        within("si:real", [&] {
+            leaf("si:value", shortest(value));
+            leaf("si:unit", std::string(known->second));
+            if (uncertainty)
+                within("si:expandedUnc", [&] {
+                    leaf("si:uncertainty", shortest(*uncertainty));
+                    leaf("si:coverageFactor", std::string("2"));
+                    leaf("si:coverageProbability", Decimal(usualCoverage).shortest());
+                });
+        });
+    }
+
+    void writeSheet() {
+        const std::vector<SheetResult> results = m_evaluated.sheet();
+        said("dcc:name", REPORT_TEXT("report", "Acceptance sheet"));
+        within("dcc:results/dcc:result", [&] {
+            said("dcc:name", REPORT_TEXT_FOR("report", "Checks", "of the acceptance sheet"));
+            within("dcc:data", [&] {
+                for (std::size_t i = 0; i < results.size(); ++i)
+                    within("dcc:quantity", [&] { writeSheetRow(head().sheet[i], results[i]); });
+            });
+        });
+        const std::optional<Verdict> verdict = verdictOf(results);
+        within("dcc:measurementMetaData/dcc:metaData", [&] {
+            said("dcc:name", REPORT_TEXT("report", "Acceptance sheet"));
+            leaf("dcc:convention", std::string(fileWord(head().decisionRule.rule)));
+            said("dcc:declaration", both([&](const Language &language) {
+                     const VerdictStatement said = sheetStatement(m_evaluated, Writer(language));
+                     return said.state + QStringLiteral(". ") + said.text.plain();
+                 }));
+            if (verdict)
+                leaf("dcc:conformity", std::string(conformityWord(*verdict)));
+        });
+    }
+
+    void writeSheetRow(const SheetRow &row, const SheetResult &result) {
+        const std::string unit = result.parameter ? resultUnit(result.parameter->term.quantity) : row.unit;
+        const std::string name =
+            joined({QString::fromStdString(row.number), QString::fromStdString(row.object)},
+                   QStringLiteral(" "))
+                .toStdString();
+        if (name.empty())
+            said("dcc:name", REPORT_TEXT_FOR("report", "Object", "of the acceptance sheet"));
+        else
+            said("dcc:name", name);
+        if (result.value)
+            writeSheetNumber(*result.value, result.uncertainty, unit);
+        else
+            said("dcc:noQuantity", sheetStateText(result.state));
+        within("dcc:measurementMetaData/dcc:metaData", [&] {
+            said("dcc:name", REPORT_TEXT("report", "Tolerance"));
+            said("dcc:declaration", both([&](const Language &language) {
+                     const SheetWords words =
+                         sheetWords(m_evaluated, {}, result,
+                                    static_cast<std::size_t>(&row - head().sheet.data()), Writer(language));
+                     return joined(
+                         {words.permitted.isEmpty() ? QString() : words.permitted + u' ' + words.unit,
+                          words.state, words.source, QString::fromStdString(row.notApplicable),
+                          QString::fromStdString(row.instrument), QString::fromStdString(row.standard),
+                          QString::fromStdString(row.remark)});
+                 }));
+            if (result.state <= SheetState::doesNotConform)
+                leaf("dcc:conformity", std::string(conformityWord(static_cast<Verdict>(result.state))));
+        });
+    }
+
     // ---- Conformity ----
 
     void writeConformity(const Test &test, const TestEvaluation &evaluation) {
@@ -496,10 +595,7 @@ private:
                             accordanceText(test, evaluation, language, false);
                  }));
             if (judged && evaluation.verdict)
-                leaf("dcc:conformity",
-                     std::string(*evaluation.verdict == Verdict::conforms         ? "pass"
-                                 : *evaluation.verdict == Verdict::doesNotConform ? "fail"
-                                                                                  : "noPass"));
+                leaf("dcc:conformity", std::string(conformityWord(*evaluation.verdict)));
         });
         for (const AgreedLimit &limit : evaluation.limits) {
             if (limit.state != LimitState::notEvaluable)

@@ -68,9 +68,9 @@ Json target(double position, const TargetStatistics &statistics, double c) {
     return result;
 }
 
-Json findings(const TestEvaluation &evaluation, const Language &language) {
+Json findings(const std::vector<Finding> &found, const Language &language) {
     Json list = Json::array();
-    for (const Finding &finding : evaluation.findings)
+    for (const Finding &finding : found)
         list.push_back({{"grade", fileWord(finding.grade)},
                         {"source", fileWord(finding.source)},
                         {"state", finding.state ? Json(fileWord(*finding.state)) : Json(nullptr)},
@@ -219,9 +219,46 @@ void printTest(JsonPrinter &printer, const Place &place, const Test &source, con
     });
     if (Json diagnosis = diagnosisJson(source, evaluation, language); !diagnosis.is_null())
         own["diagnosis"] = std::move(diagnosis);
-    own["findings"] = findings(evaluation, language);
+    own["findings"] = findings(evaluation.findings, language);
     std::ranges::move(membersOf(own), std::back_inserter(members));
     printer.object(members, place);
+}
+
+Json permittedJson(const Permitted &permitted) {
+    return permitted.low ? Json::array({number(permitted.low), number(permitted.high)})
+                         : number(permitted.high);
+}
+
+Json sheetJson(const EvaluatedDocument &evaluated, const Language &language) {
+    const ReportHead &head = evaluated.document->report;
+    const std::vector<SheetResult> results = evaluated.sheet();
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const SheetRow &row = head.sheet[i];
+        const SheetResult &result = results[i];
+        rows.push_back(
+            {{"number", textOrNull(row.number)},
+             {"object", textOrNull(row.object)},
+             {"permitted", permittedJson(result.permitted)},
+             {"measured", number(result.value)},
+             {"uncertainty", number(result.uncertainty)},
+             {"guardBand", number(result.guardBand)},
+             {"unit",
+              result.parameter ? Json(resultUnit(result.parameter->term.quantity)) : textOrNull(row.unit)},
+             {"state", fileWord(result.state)},
+             {"reason", result.gap ? Json(fileWord(*result.gap)) : Json(nullptr)},
+             {"instrument", textOrNull(row.instrument)},
+             {"remark", textOrNull(row.remark)},
+             {"standard", textOrNull(row.standard)},
+             {"notApplicable", textOrNull(row.notApplicable)},
+             {"from", row.from ? Json({{"test", row.from->test}, {"parameter", row.from->parameter}})
+                               : Json(nullptr)}});
+    }
+    return {{"decisionRule", fileWord(head.decisionRule.rule)},
+            {"guardFactor", head.decisionRule.guardFactor},
+            {"verdict", verdictWord(verdictOf(results))},
+            {"rows", std::move(rows)},
+            {"findings", findings(findingsOf(head.sheet, results), language)}};
 }
 
 Json fileHead(const char *format, const Document &document, const QString &fileName) {
@@ -249,6 +286,8 @@ QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileNa
     const auto &tests = evaluated.tests;
     const Json head = fileHead("palmer results", *evaluated.document, fileName);
     Json rest = Json::object();
+    if (!evaluated.document->report.sheet.empty())
+        rest["sheet"] = sheetJson(evaluated, language);
     if (Json feeds = feedDiagnosesJson(evaluated, language); !feeds.empty())
         rest["feedDiagnoses"] = std::move(feeds);
     std::vector<JsonMember> members = membersOf(head);
@@ -271,11 +310,13 @@ QByteArray findingsJson(const EvaluatedDocument &evaluated, const QString &fileN
     Json tests = Json::array();
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         Json test = headOf(*evaluated.document->tests[i], *evaluated.tests[i]);
-        test["findings"] = findings(*evaluated.tests[i], language);
+        test["findings"] = findings(evaluated.tests[i]->findings, language);
         tests.push_back(std::move(test));
     }
     Json file = fileHead("palmer findings", *evaluated.document, fileName);
     file["tests"] = std::move(tests);
+    if (!evaluated.document->report.sheet.empty())
+        file["sheet"] = sheetJson(evaluated, language);
     return printed(file, form);
 }
 

@@ -297,12 +297,19 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
     const std::vector<EvaluatedDocument> views = viewsOf(evaluated);
     const std::vector<TestPart> parts = testParts(evaluated, write, views);
     const bool several = parts.size() > 1;
+    const bool hasSheet = !head.sheet.empty();
+    if (hasSheet) {
+        addSheet(report.blocks, evaluated, parts, write);
+        if (!parts.empty())
+            report.blocks.emplace_back(PageBreak{});
+    }
     if (several)
         addTests(report.blocks, parts);
     else if (!parts.empty())
         addTest(report.blocks, parts.front());
     else {
-        report.blocks.emplace_back(driftHead(write, document));
+        if (!hasSheet)
+            report.blocks.emplace_back(driftHead(write, document));
         if (!head.remarks.empty()) {
             addHeading(report.blocks, write.text(REPORT_TEXT("report", "Remarks")));
             report.blocks.emplace_back(Paragraph{QString::fromStdString(head.remarks)});

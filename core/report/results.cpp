@@ -282,14 +282,18 @@ Report composeResults(const EvaluatedDocument &evaluated, const Language &langua
     Composer composer(evaluated, language);
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
         composer.addResults(*evaluated.document->tests[i], *evaluated.tests[i]);
-    return composer.take();
+    Report report = composer.take();
+    addSheetResults(report.blocks, evaluated, Writer(language));
+    return report;
 }
 
 Report composeFindings(const EvaluatedDocument &evaluated, const Language &language) {
     Composer composer(evaluated, language);
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
         composer.addFindingsOf(*evaluated.document->tests[i], *evaluated.tests[i]);
-    return composer.take();
+    Report report = composer.take();
+    addSheetFindings(report.blocks, evaluated, Writer(language));
+    return report;
 }
 
 } // namespace palmer

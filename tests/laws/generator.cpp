@@ -62,7 +62,10 @@ constexpr std::array sizes{Size{"start", 17, 24},
                            Size{"resolution", 0.00001, 0.001},
                            Size{"length", 100, 2000},
                            Size{"year", 1980, 2026},
-                           Size{"calibrated", 0, 1}};
+                           Size{"calibrated", 0, 1},
+                           Size{"permitted", 0.005, 0.03},
+                           Size{"measured", -0.02, 0.03},
+                           Size{"uncertainty", 0, 0.004}};
 
 /// Whether a place lies in the test of a rotary axis.
 bool isOfRotary(const Json &file, const Path &path) {
@@ -319,11 +322,33 @@ Json Generator::drift() {
     return test;
 }
 
+/// Rows of the acceptance sheet: a third permits a range, a third names a parameter of a test, some of them
+/// tests that are not there.
+void Generator::checkSheet(Json &report) {
+    const Json rows = report.value("sheet", Json());
+    if (!rows.is_array() || rows.empty())
+        report.erase("decisionRule"); // a rule for nothing
+    for (std::size_t i = 0; rows.is_array() && i < rows.size(); ++i) {
+        Json &row = report["sheet"][i];
+        if (row.contains("permitted") && row["permitted"].is_number() && chance(0.3))
+            row["permitted"] = {-number("permitted"), number("permitted")};
+        if (row.value("notApplicable", Json()).is_string() && chance(0.8))
+            row.erase("notApplicable");
+        if (!row.contains("from") || !row["from"].is_object())
+            continue;
+        for (const char *key : {"permitted", "measured", "uncertainty", "unit"})
+            row.erase(key);
+        if (chance(0.8))
+            row["from"] = {{"test", "t1"}, {"parameter", chance(0.6) ? "A" : "G"}};
+    }
+}
+
 Json Generator::file() {
     m_texts = 0;
     const Json &root = m_schema.at("properties");
     Json file{{"format", root.at("format").at("const")}, {"version", root.at("version").at("const")}};
     file["report"] = value(root.at("report"), "report");
+    checkSheet(file["report"]);
     file["machine"] = value(root.at("machine"), "machine");
     file["tests"] = Json::array();
     const int count = chance(0.7) ? 1 : 2 + below(2);

@@ -47,6 +47,7 @@ private:
     [[nodiscard]] Json positioning();
     [[nodiscard]] Json circular();
     [[nodiscard]] Json drift();
+    void checkSheet(Json &report);
     void measureAxis(Json &test);
     void measurePaths(Json &test);
     [[nodiscard]] const Json *schemaAt(const Path &path, const Json &file) const;

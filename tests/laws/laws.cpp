@@ -302,6 +302,10 @@ private:
             if (m_followed.evaluated.tests[i]->edition)
                 tests.push_back(i);
         }
+        if (!document().report.sheet.empty() && !lines.empty()) {
+            sheetOnPages(*lines.front(), language);
+            lines.erase(lines.begin());
+        }
         const bool summary = lines.size() == tests.size() + 1;
         if (!summary && lines.size() != tests.size()) {
             violated("limits", "verdict lines: " + std::to_string(lines.size()));
@@ -330,6 +334,35 @@ private:
         if (!numbersIn(text).contains(QString::number(counted)))
             violated("limits",
                      "the summary counts others than " + std::to_string(counted) + ": " + text.toStdString());
+    }
+
+    /// Page 1 counts and names the rows that are not met; without their values none gets better.
+    void sheetOnPages(const VerdictLine &line, const Language &language) {
+        const Json &sheet = m_json["sheet"];
+        const Json &rows = m_file["report"]["sheet"];
+        std::map<std::string, int> states;
+        for (const Json &row : sheet["rows"])
+            ++states[row["state"]];
+        const int apply = static_cast<int>(rows.size()) - states["notApplicable"];
+        if (sheet["rows"].size() != rows.size())
+            violated("sheet", "the JSON has other rows");
+        if ((sheet["verdict"] == "conforms") != (apply > 0 && states["conforms"] == apply))
+            violated("sheet", "verdict " + sheet["verdict"].dump() + " of " + Json(states).dump());
+        if (!numbersIn(line.limits.state).contains(QString::number(states["conforms"])))
+            violated("sheet", "page 1 counts others in " + language.code().toStdString() + ": " +
+                                  line.limits.state.toStdString());
+        if (states["notMeasured"] > 0 && (!hasRejection(m_followed.evaluated) ||
+                                          m_followed.evaluated.verdict() == std::optional(Verdict::conforms)))
+            violated("sheet", "exit 0 with a row that is not measured");
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const bool isMeasured = rows[i].contains("measured") && !rows[i]["measured"].is_null();
+            if (isMeasured && sheet["rows"][i]["measured"] != rows[i]["measured"])
+                violated("sheet", "another value in JSON");
+            const bool isOpen = !isMeasured && !rows[i].contains("from");
+            const bool applies = sheet["rows"][i]["state"] != "notApplicable";
+            if (isOpen && applies && sheet["rows"][i]["state"] != "notMeasured")
+                violated("sheet", "a row without value is " + sheet["rows"][i]["state"].dump());
+        }
     }
 
     /// Every text and every number of the file stands on a page, numbers with all their digits.

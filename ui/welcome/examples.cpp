@@ -26,6 +26,8 @@ constexpr std::array rows{
     Row{"iso230-4-full-circles-xy", QT_TRANSLATE_NOOP("examples", "XY plane, full circles"), "2005", true},
     Row{"iso230-4-partial-arc-zx", QT_TRANSLATE_NOOP("examples", "ZX plane, partial arc"), "2005", true},
     Row{"long-axis-with-zone", QT_TRANSLATE_NOOP("examples", "Long axis, with its zone"), "2006", false},
+    Row{"machine-acceptance-sheet", QT_TRANSLATE_NOOP("examples", "Acceptance sheet of a machine"), "2006",
+        false},
     Row{"one-direction", QT_TRANSLATE_NOOP("examples", "Z axis, from one direction"), "2006", false},
     Row{"rotary-axis", QT_TRANSLATE_NOOP("examples", "Rotary table C, 360°"), "2014", false},
     Row{"teaching-01-centre", QT_TRANSLATE_NOOP("examples", "Diagnosis: centre off"), "2005", true},

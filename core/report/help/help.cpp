@@ -233,6 +233,34 @@ HelpPage registerPage(const Language &language) {
     return pageOf("register", REPORT_TEXT("report", "Register"), steps, language);
 }
 
+HelpPage sheetPage(const Language &language) {
+    const auto steps = std::to_array<HelpStep>({
+        {REPORT_TEXT("report", "Rows"),
+         REPORT_TEXT(
+             "report",
+             "What is checked on a machine beside its tests: geometry, run-out, level. Each row has a "
+             "number, an object, a tolerance, a measured value with its U (k = 2) and a unit. Objects and "
+             "tolerances are those of the parties: Palmer ships none.")},
+        {REPORT_TEXT("report", "Tolerance"),
+         REPORT_TEXT(
+             "report",
+             "One number limits the magnitude of the value; two, the least and the largest, its signed "
+             "value. Units are printed as typed and never converted.")},
+        {REPORT_TEXT("report", "A row from a test"),
+         REPORT_TEXT(
+             "report",
+             "A row may name a parameter of a test of the report: value, U, limit and unit then are those "
+             "of the test, and change with it.")},
+        {REPORT_TEXT("report", "Verdict"),
+         REPORT_TEXT(
+             "report",
+             "One decision rule holds for all rows. The verdict of the report is the worst of those of "
+             "sheet and tests. A row without a value is “not measured”: as long as there is one, the "
+             "sheet is not proven. A row that does not apply needs a reason.")},
+    });
+    return pageOf("sheet", REPORT_TEXT("report", "Acceptance sheet"), steps, language);
+}
+
 HelpPage fieldsPage(const Language &language) {
     HelpPage page{QStringLiteral("fields"), language.text(REPORT_TEXT("report", "Fields")), {}};
     auto &blocks = page.content.blocks;
@@ -253,7 +281,8 @@ HelpPage fieldsPage(const Language &language) {
 } // namespace
 
 std::vector<HelpPage> composeHelp(const Language &language) {
-    std::vector<HelpPage> pages{workflowPage(language), registerPage(language), fieldsPage(language)};
+    std::vector<HelpPage> pages{workflowPage(language), registerPage(language), sheetPage(language),
+                                fieldsPage(language)};
     for (const Edition *edition : editions())
         pages.push_back(edition->circles ? circularPage(*edition, language)
                                          : positioningPage(*edition, language));

@@ -243,6 +243,34 @@ TestHead driftHead(const Writer &write, const Document &document) {
     return head;
 }
 
+TestHead sheetHead(const Writer &write, const EvaluatedDocument &evaluated,
+                   const std::vector<TestPart> &parts) {
+    const Document &document = *evaluated.document;
+    TestHead head = letterHead(write, document.report);
+    head.title = write.text(REPORT_TEXT("report", "Acceptance sheet"));
+    const auto counted = [&](const Text &words, std::size_t count) {
+        return write.language().sentence({words, {}, static_cast<int>(count)});
+    };
+    head.subtitle = joined(
+        {QString::fromStdString(document.report.title), QString::fromStdString(document.machine.name),
+         counted(REPORT_TEXT_COUNTED("report", "%n check(s)"), document.report.sheet.size()),
+         parts.empty() ? QString() : counted(REPORT_TEXT_COUNTED("report", "%n test(s)"), parts.size())},
+        QStringLiteral(" · "));
+    head.left = partiesAndDates(
+        write, document.report,
+        parts.empty() ? periodText(write, document.report.performedFrom, document.report.performedTo)
+                      : periodOfTests(parts),
+        REPORT_TEXT("report", "Dates of the tests"));
+    LabelledRows rows(write, {{}, rightLabels});
+    rows.add(REPORT_TEXT("report", "Machine"), machineText(document.machine));
+    rows.add(REPORT_TEXT("report", "Serial number"), document.machine.serialNumber);
+    rows.add(REPORT_TEXT("report", "Control"), document.machine.controller);
+    rows.add(REPORT_TEXT("report", "Condition"), document.machine.condition);
+    rows.add(REPORT_TEXT("report", "Order"), document.report.order);
+    head.right = rows.take();
+    return head;
+}
+
 TestHead circularHead(const CircularPart &part) {
     const Writer &write = part.write;
     const CircularMeasurement &measurement = part.measurement;

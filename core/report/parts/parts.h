@@ -29,6 +29,46 @@ namespace palmer {
 /// The head of the first page of a report over several tests.
 [[nodiscard]] TestHead summaryHead(const std::vector<TestPart> &parts);
 
+/// The head of the acceptance sheet.
+[[nodiscard]] TestHead sheetHead(const Writer &write, const EvaluatedDocument &evaluated,
+                                 const std::vector<TestPart> &parts);
+
+/// "met", "not measured".
+[[nodiscard]] Text sheetStateText(SheetState state);
+
+/// What the row of a sheet prints: its own numbers as entered, those of a result as in its test.
+struct SheetWords {
+    QString permitted;
+    QString value;
+    QString uncertainty;
+    QString unit;
+    QString source; ///< "test 2, A"; empty for own numbers
+    QString state;
+};
+[[nodiscard]] SheetWords sheetWords(const EvaluatedDocument &evaluated, const std::vector<TestPart> &parts,
+                                    const SheetResult &result, std::size_t index, const Writer &write);
+
+/// The rows of the acceptance sheet; column 7 holds the guard pictures.
+[[nodiscard]] Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart> &parts,
+                               const Writer &write);
+
+/// "16 of 18 rows met", and which are not.
+[[nodiscard]] VerdictStatement sheetStatement(const EvaluatedDocument &evaluated, const Writer &write);
+
+/// Adds the findings about rows that name no result of this report.
+void addSheetFindings(std::vector<Block> &blocks, const EvaluatedDocument &evaluated, const Writer &write);
+
+/// Adds the acceptance sheet as the first page: the verdict of the report in its two parts, sheet and tests,
+/// all rows, the rule, responsibility.
+void addSheet(std::vector<Block> &blocks, const EvaluatedDocument &evaluated,
+              const std::vector<TestPart> &parts, const Writer &write);
+
+/// The same for a terminal, after the tests; nothing without a sheet.
+void addSheetResults(std::vector<Block> &blocks, const EvaluatedDocument &evaluated, const Writer &write);
+
+/// The verdict on several tests: limits and accordance.
+[[nodiscard]] VerdictLine verdictOfTests(const std::vector<TestPart> &parts);
+
 /// The large word of a verdict, and a second line if the limits are respected but facts of the test are
 /// unknown.
 struct LargeWord {

@@ -395,7 +395,9 @@ VerdictLine verdictLine(const std::vector<TestPart> &parts, const Whole &whole, 
     VerdictLine line;
     line.large = true;
     line.mark = largeMark(whole.verdict, weakest);
-    line.label = write.text(REPORT_TEXT("report", "Verdict of the report"));
+    line.label =
+        write.text(parts.front().head().sheet.empty() ? REPORT_TEXT("report", "Verdict of the report")
+                                                      : REPORT_TEXT("report", "Verdict of the tests"));
     const LargeWord word = largeWord(whole.verdict, whole.anyLimit, weakest);
     line.word = write.text(word.word).toUpper();
     if (!word.second.empty())
@@ -450,6 +452,10 @@ QString closingText(const Writer &write, const Whole &whole) {
 
 } // namespace
 
+VerdictLine verdictOfTests(const std::vector<TestPart> &parts) {
+    return verdictLine(parts, wholeOf(parts), sharedBy(parts).rule);
+}
+
 void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     const TestPart &first = parts.front();
     const Writer &write = first.write;
@@ -468,6 +474,8 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) 
     blocks.emplace_back(LimitedQuantities(parts, shared).take());
     if (whole.limits > 0)
         blocks.emplace_back(legendOf(write, shared));
+    if (!first.head().sheet.empty())
+        return; // which says the rest
     blocks.emplace_back(Paragraph{closingText(write, whole)});
     if (!first.leavesOut(ReportPart::signatures))
         addResponsibility(blocks, write, first.head());

@@ -63,6 +63,10 @@ QByteArray completeFileOf(int version) {
         head.revisionReason = "wrong date";
         head.deviationsFromMethod = "none";
         head.rounding = Rounding::twoDigits;
+        head.sheet = {{"G1", "flatness", {{}, 0.02}, 0.01, 0.003, "mm", "level", "table", "-", ""},
+                      {"G2", "parallelism", {-0.01, 0.02}, -0.002, 0.003, "mm", "", "", "", ""},
+                      {"P1", "A of X", {}, {}, {}, "", "", "", "", "no X", SheetSource{"x1", "A"}}};
+        head.decisionRule = {Rule::iso14253_1, 0.83};
         document.instruments[0].traceability = {"Institute", "2-0001", "C-2"};
     }
     return writeDocument(document);
@@ -74,6 +78,7 @@ const std::map<std::string, const char *> beyondSchema{
     {"number of values found: %1; expected: %2", "lists that must be of equal length"},
     {"expected targets that ascend strictly", "targets that do not ascend strictly"},
     {"expected “from” to be less than “to”", "`from` not less than `to`"},
+    {"expected the least value before the largest", "a least value permitted above the largest"},
     {"expected the number of a run, from 1 to %1", "excluded readings that do not exist"},
     {"expected the number of a target, from 1 to %1", "excluded readings that do not exist"},
     {"expected null, for this reading stands in “excluded”", "are not null in their run"},
