@@ -63,8 +63,8 @@ QByteArray completeFileOf(int version) {
         head.revisionReason = "wrong date";
         head.deviationsFromMethod = "none";
         head.rounding = Rounding::twoDigits;
-        head.sheet = {{"G1", "flatness", {{}, 0.02}, 0.01, 0.003, "mm", "level", "table", "-", ""},
-                      {"G2", "parallelism", {-0.01, 0.02}, -0.002, 0.003, "mm", "", "", "", ""},
+        head.sheet = {{"G1", "flatness", {{}, 0.02}, 0.01, 0.003, "mm", "level", "table", "-", "", {}},
+                      {"G2", "parallelism", {-0.01, 0.02}, -0.002, 0.003, "mm", "", "", "", "", {}},
                       {"P1", "A of X", {}, {}, {}, "", "", "", "", "no X", SheetSource{"x1", "A"}}};
         head.decisionRule = {Rule::iso14253_1, 0.83};
         document.instruments[0].traceability = {"Institute", "2-0001", "C-2"};

@@ -99,6 +99,11 @@ private:
         for (auto &value : values)
             fill(value);
     }
+    void fill(Permitted &permitted) {
+        fill(permitted.high);
+        if (permitted.high)
+            fill(permitted.low);
+    }
     template <class T>
     void fill(std::map<std::string, T> &values) {
         for (const char *key : {"E", "G(b)", "a\"b", "é"}) {
