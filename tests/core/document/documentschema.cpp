@@ -89,6 +89,8 @@ const std::map<std::string, const char *> beyondSchema{
     {"expected the id of a drift test of this file; “%1” is none", "ids that are not unique or name nothing"},
 };
 
+constexpr const char *inVersion3 = "expected the least value before the largest";
+
 struct Case {
     QByteArray name;
     QByteArray file; // on one line
@@ -280,7 +282,8 @@ private slots:
         for (const int version : {1, 2, 3}) {
             const QString said = Schema(version).root().value(QStringLiteral("description")).toString();
             for (const auto &[message, words] : beyondSchema)
-                QVERIFY2(said.contains(QString::fromUtf8(words)), message.c_str());
+                QVERIFY2((version < 3 && message == inVersion3) || said.contains(QString::fromUtf8(words)),
+                         message.c_str());
         }
     }
 

@@ -131,8 +131,18 @@ void DccTest::everyValueUncertaintyAndLimitIsInIt() {
     QFETCH(QString, path);
     const EvaluatedDocument evaluated = evaluatedFile(path);
     const QList<Numbers> tests = numbersOf(dcc(evaluated));
-    QCOMPARE(tests.size(), qsizetype(evaluated.tests.size()));
-    for (qsizetype i = 0; i < tests.size(); ++i) {
+    const std::vector<SheetResult> sheet = evaluated.sheet();
+    const qsizetype count = qsizetype(evaluated.tests.size());
+    QCOMPARE(tests.size(), count + (sheet.empty() ? 0 : 1));
+    if (!sheet.empty()) {
+        const QString all = QString::fromUtf8(dcc(evaluated));
+        for (const SheetResult &row : sheet) {
+            if (row.value)
+                QVERIFY(all.contains("<si:value>" + QString::number(*row.value, 'g', 15) + "</si:value>") ||
+                        row.parameter);
+        }
+    }
+    for (qsizetype i = 0; i < count; ++i) {
         const TestEvaluation &evaluation = *evaluated.tests[static_cast<std::size_t>(i)];
         const Numbers &numbers = tests[i];
         qsizetype at = 0;
