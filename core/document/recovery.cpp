@@ -5,6 +5,7 @@
 #include "document/bounds.h"
 #include "document/json.h"
 #include "document/savedocument.h"
+#include "document/savefiles.h"
 #include "document/writedocument.h"
 
 #include <QDir>
@@ -54,6 +55,13 @@ bool isHeld(const QString &copy) {
     QLockFile lock(recoveryLock(copy));
     lock.setStaleLockTime(0); // locks never expire by age
     return !lock.tryLock(0);
+}
+
+/// True for a lock whose program was killed before it wrote its number, which takes no time.
+bool isUnfinished(const QString &lock) {
+    constexpr qint64 seconds = 10;
+    const QFileInfo file(lock);
+    return file.size() == 0 && file.lastModified().secsTo(QDateTime::currentDateTime()) > seconds;
 }
 
 [[noreturn]] void refuseForeignCopy() {
@@ -135,11 +143,15 @@ std::vector<Recovery> abandonedRecoveries(const QString &folder) {
         recovery.file = path;
         found.push_back(std::move(recovery));
     }
-    for (const QString &name : directory.entryList({copies + QStringLiteral(".??????")}, QDir::Files)) {
-        const QString part = directory.filePath(name); // temporary name used by QSaveFile
-        const QString path = part.first(part.lastIndexOf(u'.'));
-        if (!isHeld(path))
-            QFile::remove(part);
+    // A program killed before or while it replaced its copy leaves a lock, or a file that was to replace it.
+    for (const QString &name : directory.entryList({copies + u'*'}, QDir::Files | QDir::Hidden)) {
+        const QString path = directory.absoluteFilePath(name);
+        const bool hidden = name.startsWith(u'.');
+        const QString copy = directory.absoluteFilePath(name.section(u'.', hidden ? 1 : 0, hidden ? 2 : 1));
+        const bool replaces = path == nameWhileSaving(copy);
+        const bool locks = path == recoveryLock(copy) && !QFile::exists(copy);
+        if ((replaces || locks) && (!isHeld(copy) || isUnfinished(path)))
+            QFile::remove(path);
     }
     std::ranges::stable_sort(
         found, [](const Recovery &a, const Recovery &b) { return a.origin.saved > b.origin.saved; });

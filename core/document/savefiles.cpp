@@ -7,17 +7,23 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QStorageInfo>
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <fcntl.h>
 #include <memory>
+#include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace palmer {
 
 namespace {
+
+QByteArray encoded(const QString &path) {
+    return QFile::encodeName(path);
+}
 
 [[noreturn]] void refuseFiles(Text text) {
     throw Error(Error::Kind::unwritable, {text, {}, {}});
@@ -47,8 +53,12 @@ public:
         if (m_number >= 0)
             ::close(m_number);
     }
-    Descriptor(const Descriptor &) = delete;
-    Descriptor &operator=(const Descriptor &) = delete;
+    Descriptor(Descriptor &&other) noexcept
+        : m_number(std::exchange(other.m_number, -1)) {}
+    Descriptor &operator=(Descriptor &&other) noexcept {
+        std::swap(m_number, other.m_number);
+        return *this;
+    }
 
     [[nodiscard]] int number() const { return m_number; }
 
@@ -81,17 +91,24 @@ int openDevice(const QByteArray &name, UnreadPipe unread) {
                   "takes a file; save to a file"));
 }
 
-void writeDevice(const QByteArray &bytes, const QString &path, UnreadPipe unread) {
-    const Descriptor device(openDevice(QFile::encodeName(path), unread));
-    if (device.number() < 0)
-        refuseDevice(errno);
+/// False with errno if not all could be written.
+bool writeAll(const QByteArray &bytes, const Descriptor &file) {
     for (qsizetype at = 0; at < bytes.size();) {
         const auto written =
-            ::write(device.number(), bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at));
+            ::write(file.number(), bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at));
         if (written < 0 && errno != EINTR)
-            refuseDevice(errno);
+            return false;
         at += std::max<qsizetype>(written, 0);
     }
+    return true;
+}
+
+void writeDevice(const QByteArray &bytes, const QString &path, UnreadPipe unread) {
+    const Descriptor device(openDevice(encoded(path), unread));
+    if (device.number() < 0)
+        refuseDevice(errno);
+    if (!writeAll(bytes, device))
+        refuseDevice(errno);
 }
 
 /// True if all data are on the disk. Some file systems cannot tell.
@@ -126,61 +143,116 @@ bool isDevice(const QString &path) {
     return info.exists() && !info.isFile();
 }
 
-/// A temporary file next to its destination, flushed to disk; removed unless renamed.
+/// Removes a file that nobody else knows; tries again, as it would stay for ever.
+void removeFile(const QString &path) {
+    for (int attempt = 0; attempt < 2 && ::unlink(encoded(path).constData()) != 0 && errno != ENOENT;)
+        ++attempt;
+}
+
+/// A file on the disk, without a name until it is renamed; where the file system knows no such files, with
+/// one beside its destination. Not QSaveFile, whose names stay for ever if the program is killed.
 class Staged {
 public:
     explicit Staged(const FileToSave &file)
         : m_source(file)
-        , m_file(file.path) {
-        // Unbuffered: commit() does not detect that the last buffer could not be written.
-        if (!m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
-            m_file.write(file.bytes) != file.bytes.size() || m_file.size() != file.bytes.size() ||
-            !isOnDisk(m_file.handle()))
+        , m_path(targetOf(file.path))
+        , m_beside(nameWhileSaving(m_path))
+        , m_file(withoutName(m_path)) {
+        if (m_file.number() < 0) {
+            m_beside += QString::number(::getpid());
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
+            m_file = Descriptor(
+                ::open(encoded(m_beside).constData(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, readAndWrite));
+            m_named = m_file.number() >= 0;
+        }
+        struct stat old {};
+        m_wasThere = ::stat(encoded(m_path).constData(), &old) == 0;
+        const bool mayReplace = !m_wasThere || ::access(encoded(m_path).constData(), W_OK) == 0;
+        if (m_file.number() < 0 || !mayReplace || !writeAll(file.bytes, m_file) ||
+            (m_wasThere && ::fchmod(m_file.number(), old.st_mode & permissions) != 0) ||
+            !isOnDisk(m_file.number())) {
+            forget();
             refuseSaving(file.path, file.bytes.size());
+        }
     }
+    ~Staged() { forget(); }
+    Staged(const Staged &) = delete;
+    Staged &operator=(const Staged &) = delete;
 
-    /// If further files are to be renamed, keeps a link to the existing file to restore it.
+    /// If further files are to be renamed, keeps the existing file, if the file system exchanges names.
     void rename(bool keepOld) {
-        const QByteArray path = encoded(m_source.path);
-        m_wasThere = ::access(path.constData(), F_OK) == 0;
-        if (keepOld && m_wasThere) {
-            const QByteArray old =
-                encoded(m_file.fileName() + QStringLiteral(".old-") + QString::number(::getpid()));
-            if (::link(path.constData(), old.constData()) == 0)
-                m_old = old;
-        }
-        if (!m_file.commit()) {
-            forgetOld();
+        m_keepsOld = keepOld && m_wasThere && takeName() &&
+                     ::renameat2(AT_FDCWD, encoded(m_beside).constData(), AT_FDCWD,
+                                 encoded(m_path).constData(), RENAME_EXCHANGE) == 0;
+        if (!m_keepsOld && !replace())
             refuseSaving(m_source.path, m_source.bytes.size());
-        }
     }
     void restore() {
-        const QByteArray path = encoded(m_source.path);
         if (!m_wasThere)
-            ::unlink(path.constData());
-        else if (!m_old.isEmpty())
-            ::rename(m_old.constData(), path.constData());
-        m_old.clear();
-    }
-    void forgetOld() {
-        if (!m_old.isEmpty())
-            ::unlink(m_old.constData());
-        m_old.clear();
+            removeFile(m_path);
+        else if (m_keepsOld)
+            m_named = ::rename(encoded(m_beside).constData(), encoded(m_path).constData()) != 0;
     }
 
     [[nodiscard]] const QString &path() const { return m_source.path; }
 
 private:
-    /// Encodes the path, with links resolved.
-    static QByteArray encoded(const QString &path) {
+    static constexpr mode_t permissions = 07777;
+    static constexpr mode_t readAndWrite = 0666; ///< less the user's mask
+
+    /// The absolute path with links resolved.
+    static QString targetOf(const QString &path) {
         const QString target = QFileInfo(path).canonicalFilePath();
-        return QFile::encodeName(target.isEmpty() ? path : target);
+        return target.isEmpty() ? QFileInfo(path).absoluteFilePath() : target;
+    }
+    static Descriptor withoutName(const QString &path) {
+        if (::access("/proc/self/fd", X_OK) != 0) // through which it gets a name
+            return Descriptor(-1);
+        const QByteArray folder = encoded(QFileInfo(path).absolutePath());
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
+        return Descriptor(::open(folder.constData(), O_RDWR | O_TMPFILE | O_CLOEXEC, readAndWrite));
+    }
+    [[nodiscard]] bool link(const QString &name) const {
+        const QByteArray file = "/proc/self/fd/" + QByteArray::number(m_file.number());
+        return ::linkat(AT_FDCWD, file.constData(), AT_FDCWD, encoded(name).constData(), AT_SYMLINK_FOLLOW) ==
+               0;
+    }
+    /// Takes the name beside the destination, in place of what a program that was killed left there.
+    bool takeName() {
+        m_named = m_named || link(m_beside);
+        if (!m_named && errno == EEXIST) {
+            removeFile(m_beside);
+            m_named = link(m_beside);
+        }
+        return m_named;
+    }
+    [[nodiscard]] bool replace() {
+        if (!m_named && !m_wasThere && link(m_path))
+            return true;
+        // Another program that saves to the same place may take the name in between: whole, so again.
+        for (int attempt = 0; attempt < 3 && takeName(); ++attempt) {
+            m_named = ::rename(encoded(m_beside).constData(), encoded(m_path).constData()) != 0;
+            if (!m_named)
+                return true;
+            if (errno != ENOENT)
+                return false;
+            m_named = false;
+        }
+        return false;
+    }
+    void forget() {
+        if (m_named)
+            removeFile(m_beside);
+        m_named = false;
     }
 
     const FileToSave &m_source;
-    QSaveFile m_file;
+    QString m_path;
+    QString m_beside;
+    Descriptor m_file;
+    bool m_named = false; ///< there is a file m_beside
     bool m_wasThere = false;
-    QByteArray m_old;
+    bool m_keepsOld = false; ///< which is what was there
 };
 
 /// Runs `work` for one file and adds its name to errors.
@@ -203,13 +275,16 @@ void renameAll(std::vector<std::unique_ptr<Staged>> &staged) {
             throw;
         }
     }
-    for (const auto &file : staged) {
-        file->forgetOld();
+    for (const auto &file : staged)
         syncFolder(file->path());
-    }
 }
 
 } // namespace
+
+QString nameWhileSaving(const QString &path) {
+    const QFileInfo file(path);
+    return file.absolutePath() + QStringLiteral("/.") + file.fileName() + QStringLiteral(".saving~");
+}
 
 void saveFiles(const std::vector<FileToSave> &files, UnreadPipe unread) {
     for (const FileToSave &file : files)

@@ -29,12 +29,16 @@ public:
 /// Handling of a pipe without a reader: an error, or block until there is one, like shell redirection.
 enum class UnreadPipe { refused, awaited };
 
-/// Writes files atomically: temporary files for all of them, checked and flushed to disk before the first is
-/// renamed. If one cannot be saved, even because of a full disk at the last byte, existing files are
-/// unchanged and no new one is left; then throws UnsavedFile with the cause and a remedy. If a later renaming
-/// fails, which takes a folder that forbids it for that file only, the earlier files are restored from hard
-/// links, if the file system has them (FAT does not). Devices and pipes are written directly, before the
-/// renaming. Precondition: distinct paths.
+/// Writes files atomically: files without a name for all of them, checked and flushed to disk before the
+/// first is named. If one cannot be saved, even because of a full disk at the last byte, existing files are
+/// unchanged and no new one is left; then throws UnsavedFile with the cause and a remedy. If a later naming
+/// fails, which takes a folder that forbids it for that file only, the earlier files are restored, if the
+/// file system exchanges names (FAT does not). Devices and pipes are written directly, before the renaming.
+/// Precondition: distinct paths.
 void saveFiles(const std::vector<FileToSave> &files, UnreadPipe unread = UnreadPipe::refused);
+
+/// The name that a saved file has for a moment, before it takes the place of another; there after the program
+/// was killed in that moment. The next file saved to the same path takes it away.
+[[nodiscard]] QString nameWhileSaving(const QString &path);
 
 } // namespace palmer

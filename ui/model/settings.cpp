@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/model/settings.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileDevice>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLockFile>
 #include <QSettings>
 #include <unistd.h>
 
@@ -47,12 +50,25 @@ bool write(QIODevice &device, const QSettings::SettingsMap &settings) {
            ::fsync(file->handle()) == 0;
 }
 
+/// Removes what QSettings leaves if the program is killed while it replaces the file: under its lock, as
+/// another window may be doing so.
+void removeLeftovers(const QString &path) {
+    const QFileInfo file(path);
+    QLockFile lock(path + QStringLiteral(".lock"));
+    if (!file.dir().exists() || !lock.tryLock(0))
+        return;
+    for (const QString &name :
+         file.dir().entryList({file.fileName() + QStringLiteral(".??????")}, QDir::Files))
+        QFile::remove(file.dir().filePath(name));
+}
+
 } // namespace
 
 void useSafeSettings() {
     const QSettings former;
     QSettings::setDefaultFormat(QSettings::registerFormat(QStringLiteral("json"), read, write));
     QSettings settings;
+    removeLeftovers(settings.fileName());
     if (QFile::exists(settings.fileName()))
         return;
     for (const QString &key : former.allKeys())

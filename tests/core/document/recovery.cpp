@@ -6,6 +6,7 @@
 
 #include "core/kernel/evaluation/positioningdata.h"
 #include "document/savedocument.h"
+#include "document/savefiles.h"
 
 #include <QDir>
 #include <QFile>
@@ -54,8 +55,8 @@ private slots:
     /// A program that was killed while it wrote leaves a part; that of one that lives stays.
     void removesWhatWasBeingWritten() {
         const QTemporaryDir folder;
-        const QString part = folder.filePath("dead.recovery.AbCdEf");
-        const QString living = folder.filePath("living.recovery.AbCdEf");
+        const QString part = nameWhileSaving(folder.filePath("dead.recovery"));
+        const QString living = nameWhileSaving(folder.filePath("living.recovery"));
         const QString other = folder.filePath("living.recovery.notes");
         for (const QString &name : {part, living, other})
             saveBytes("half", name);
