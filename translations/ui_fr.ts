@@ -4230,6 +4230,14 @@ est la même machine que&#xa0;:</translation>
         <translation>%1 ne peut pas être enregistré</translation>
     </message>
     <message>
+        <source>Composing the pages…</source>
+        <translation>Composition des pages…</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Enregistrement…</translation>
+    </message>
+    <message>
         <source>Saved: %1</source>
         <translation>Enregistré&#xa0;: %1</translation>
     </message>

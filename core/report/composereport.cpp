@@ -190,11 +190,13 @@ void addTest(std::vector<Block> &blocks, const TestPart &part) {
 
 /// Adds several tests: the summary, one page per test with its results, the common statements, and then the
 /// details of each test without page breaks.
-void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts, const std::stop_token &stop) {
     const Writer &write = parts.front().write;
     const ReportHead &head = parts.front().head();
     addSummary(blocks, parts);
     for (const TestPart &part : parts) {
+        if (stop.stop_requested())
+            return;
         blocks.emplace_back(PageBreak{});
         blocks.emplace_back(runningHead(part));
         withKind(part, [&](const auto &own) { addFirstPage(blocks, own); });
@@ -214,6 +216,8 @@ void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     addTraceability(blocks, write, parts.front().evaluated);
     PrintedSections printed;
     for (const TestPart &part : parts) {
+        if (stop.stop_requested())
+            return;
         const std::size_t first = blocks.size();
         const RunningHead running = runningHead(part);
         withKind(part, [&](const auto &own) { addDetails(blocks, own); });
@@ -304,7 +308,7 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
             report.blocks.emplace_back(PageBreak{});
     }
     if (several)
-        addTests(report.blocks, parts);
+        addTests(report.blocks, parts, options.stop);
     else if (!parts.empty())
         addTest(report.blocks, parts.front());
     else {

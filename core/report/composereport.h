@@ -7,6 +7,8 @@
 #include "report/attachedfile.h"
 #include "report/blocks/report.h"
 
+#include <stop_token>
+
 namespace palmer {
 
 /// Statements of the report about the program that made it.
@@ -14,7 +16,8 @@ struct ReportOptions {
     QString program;                         ///< "Palmer 0.1.0"
     std::optional<bool> selfTestPassed = {}; ///< of this process; null: not run
     Originals originals = Originals::leaveOut;
-    QByteArray testFile = {}; ///< source file, byte for byte; empty: as the document would be saved
+    QByteArray testFile = {};  ///< source file, byte for byte; empty: as the document would be saved
+    std::stop_token stop = {}; ///< if stop is requested, the report lacks tests
 };
 
 /// Composes the printed report of a document in one language. For one test: head, figure, results, verdict,

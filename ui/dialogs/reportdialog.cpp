@@ -328,27 +328,83 @@ void ReportDialog::change(const std::function<void(ReportHead &)> &change) {
     showDocument(); // updates the buttons even if nothing changed
 }
 
-void ReportDialog::showDocument() {
-    // Prints the file's own editions: views under another edition belong to the window.
-    m_evaluated = evaluate(m_model.document(), &m_evaluator.current());
-    // The budget is printed with a simulation, which runs while the pages can be viewed.
-    if (m_simulated != m_model.document() && !m_simulator.isRunning()) {
-        m_simulated = m_model.document();
+/// Composes the pages of the latest document, unless they are there. Other results of the same document wait
+/// until the pages being composed are shown: simulations that end one after another would let none be seen.
+void ReportDialog::compose() {
+    const EvaluatedDocument &current = m_evaluator.current();
+    const Source source{m_model.document(), current.tests,
+                        holdsOriginals(*m_model.document()) && m_originals->isChecked()
+                            ? Originals::include
+                            : Originals::leaveOut};
+    if (source == m_source)
+        return;
+    const bool onlyResults = source.document == m_source.document && source.originals == m_source.originals;
+    if (m_composer.isBusy() && onlyResults)
+        return;
+    m_composer.cancel();
+    m_source = source;
+    m_composer.start([this, source, previous = current](
+                         const Background::Job &job) { return composed(job, source, previous, *this); },
+                     [this](Composed composed) { take(std::move(composed)); });
+}
+
+/// Prints the file's own editions: views under another edition belong to the window.
+ReportDialog::Composed ReportDialog::composed(const Background::Job &job, const Source &source,
+                                              const EvaluatedDocument &previous, ReportDialog &dialog) {
+    Composed result;
+    try {
+        result.evaluated = evaluate(source.document, &previous);
+        job.post([&dialog, evaluated = result.evaluated] { dialog.showEvaluated(evaluated); });
+        ReportOptions options{QStringLiteral("Palmer " PALMER_VERSION), {}, source.originals, {}, job.stop()};
+        for (const ReportLanguage language : source.document->report.languages) {
+            result.reports.push_back(composeReport(result.evaluated, Language(idOf(language)), options));
+            const Report &report = result.reports.back();
+            options.testFile = report.testFile; // the same in each language
+            if (result.reports.size() == 1 && !job.stop().stop_requested())
+                job.post([&dialog, pages = firstPages(report)] { dialog.showPages(pages); });
+            std::ranges::move(layoutPages(report, job.stop()), std::back_inserter(result.pages));
+        }
+    } catch (const Error &error) {
+        result = {std::move(result.evaluated), {}, {}, error.message};
+    }
+    return result;
+}
+
+void ReportDialog::take(Composed composed) {
+    m_evaluated = std::move(composed.evaluated);
+    m_reports = std::move(composed.reports);
+    showPages(std::move(composed.pages));
+    showDocument(); // and composes again if other results have come
+    if (composed.refused)
+        m_summary->setText(windowLanguage().sentence(*composed.refused));
+}
+
+/// The budget is printed with a simulation, which runs while the pages can be viewed.
+void ReportDialog::showEvaluated(EvaluatedDocument evaluated) {
+    m_evaluated = std::move(evaluated);
+    if (m_simulated != m_evaluated.document && !m_simulator.isRunning()) {
+        m_simulated = m_evaluated.document;
         m_simulator.startMissing(m_evaluated);
     }
+    int missing = 0;
+    for (const TestEvaluationPointer &test : m_evaluated.tests)
+        missing += static_cast<int>(std::ranges::count_if(test->findings, &Finding::missing));
+    m_missing->setVisible(missing > 0);
+    m_missing->setText(tr("%n required statement(s) missing; printed as “–”", nullptr, missing));
+}
+
+void ReportDialog::showPages(Pages pages) {
+    m_pages = std::move(pages);
+    m_small->setPages(m_pages);
+    m_column->setPages(m_pages);
+    if (m_fit)
+        fitWidth();
+    followScroll();
+}
+
+void ReportDialog::showDocument() {
+    compose();
     const ReportHead &head = m_model.document()->report;
-    m_reports.clear();
-    m_pages.clear();
-    const bool holdsBytes = holdsOriginals(*m_model.document());
-    const Originals originals =
-        holdsBytes && m_originals->isChecked() ? Originals::include : Originals::leaveOut;
-    ReportOptions options{QStringLiteral("Palmer " PALMER_VERSION), {}, originals, {}};
-    for (const ReportLanguage language : head.languages) {
-        m_reports.push_back(composeReport(m_evaluated, Language(idOf(language)), options));
-        options.testFile = m_reports.back().testFile; // the same in each language
-        Pages pages = layoutPages(m_reports.back());
-        std::ranges::move(pages, std::back_inserter(m_pages));
-    }
     const bool french = holds(head.languages, ReportLanguage::fr);
     const bool english = holds(head.languages, ReportLanguage::en);
     m_languages->button(french && english ? bothLanguages
@@ -359,8 +415,7 @@ void ReportDialog::showDocument() {
     for (const Choice &choice : m_choices)
         choice.box->setChecked(choice.isOn(head));
     showLength();
-
-    m_originals->setVisible(holdsBytes);
+    m_originals->setVisible(holdsOriginals(*m_model.document()));
     m_attached->setVisible(!m_reports.empty());
     if (!m_reports.empty()) {
         const Report &report = m_reports.front();
@@ -368,24 +423,16 @@ void ReportDialog::showDocument() {
             tr("In the PDF: the whole test file (%1, %2), remarks and names in it included, and the results")
                 .arg(report.testFileName, QLocale().formattedDataSize(report.testFile.size())));
     }
-
-    int missing = 0;
-    for (const TestEvaluationPointer &test : m_evaluated.tests) {
-        for (const Finding &finding : test->findings)
-            missing += finding.missing ? 1 : 0;
-    }
-    m_missing->setVisible(missing > 0);
-    m_missing->setText(tr("%n required statement(s) missing; printed as “–”", nullptr, missing));
     const QString number = QString::fromStdString(head.number);
     m_title->setText(number.isEmpty() ? tr("Report") : tr("Report %1").arg(number));
     showSaved({});
-    m_summary->setText(
-        tr("%n page(s) %1 · preview = PDF = paper", nullptr, pageCount()).arg(m_paper->currentText()));
-    m_small->setPages(m_pages);
-    m_column->setPages(m_pages);
-    if (m_fit)
-        fitWidth();
+    if (isComposing())
+        m_summary->setText(tr("Composing the pages…"));
+    else if (!m_reports.empty())
+        m_summary->setText(
+            tr("%n page(s) %1 · preview = PDF = paper", nullptr, pageCount()).arg(m_paper->currentText()));
     followScroll();
+    showProgress();
 }
 
 /// Shows how many pages all readings would add, before that is chosen.
@@ -397,8 +444,10 @@ void ReportDialog::showLength() {
 
 void ReportDialog::showProgress() {
     m_simulation->setVisible(m_simulator.isRunning());
-    m_save->setEnabled(!m_simulator.isRunning());
-    m_print->setEnabled(!m_simulator.isRunning());
+    const bool ready = !isSimulating() && !m_writer.isBusy() && !m_pages.empty();
+    m_save->setEnabled(ready);
+    m_print->setEnabled(ready);
+    m_close->setEnabled(!m_writer.isBusy());
     const SimulationProgress &progress = m_simulator.progress();
     const QLocale locale;
     QString text = tr("Monte Carlo: %1 trials").arg(locale.toString(progress.trials));
@@ -425,7 +474,8 @@ void ReportDialog::followScroll() {
     m_small->setCurrent(page);
     if (pageCount() > 0)
         m_smallArea->ensureVisible(0, m_small->pageRect(page).center().y(), 0, 100);
-    m_place->setText(QStringLiteral("%1 / %2").arg(page + 1).arg(pageCount()));
+    m_place->setText(QStringLiteral("%1 / %2").arg(page + 1).arg(
+        isComposing() ? QStringLiteral("–") : QString::number(pageCount())));
     m_previous->setEnabled(page > 0);
     m_next->setEnabled(page + 1 < pageCount());
 }
@@ -499,43 +549,58 @@ bool ReportDialog::mayReplace(const QStringList &files) {
     return box.clickedButton() == replace;
 }
 
-void ReportDialog::refuse(const QString &file, const QString &why) {
-    showError(this, tr("%1 cannot be saved").arg(QFileInfo(file).fileName()), why);
+void ReportDialog::saveTo(const QString &path) {
+    const bool certified = m_certificate->isChecked();
+    m_summary->setText(tr("Saving…"));
+    showSaved({});
+    m_writer.start(
+        [files = filesOf(path), reports = m_reports, evaluated = m_evaluated, certified,
+         language = windowLanguage()](const Background::Job &) -> Written {
+            std::vector<FileToSave> written;
+            QString file = files.constFirst(); // being written
+            try {
+                if (certified)
+                    requireForDcc(evaluated, language);
+                const std::vector<PdfAttachment> attachments =
+                    attachmentsOf(reports.front().testFileName, reports.front().testFile,
+                                  attachedResults(evaluated), certified ? dcc(evaluated) : QByteArray());
+                for (std::size_t i = 0; i < reports.size(); ++i) {
+                    file = files[static_cast<qsizetype>(i)];
+                    requireNoTestFileName(file);
+                    QBuffer pdf;
+                    pdf.open(QIODevice::WriteOnly);
+                    writePdf(reports[i], pdf, attachments);
+                    written.push_back({pdf.data(), file});
+                }
+                saveFiles(written);
+            } catch (const UnsavedFile &error) {
+                return {files, error.path, error.message};
+            } catch (const Error &error) {
+                return {files, file, error.message};
+            }
+            return {files};
+        },
+        [this](const Written &written) { take(written); });
+    showProgress();
 }
 
-QStringList ReportDialog::saveTo(const QString &path) {
-    QStringList files = filesOf(path);
-    std::vector<FileToSave> reports;
-    QString file; // being written
-    try {
-        std::vector<PdfAttachment> attachments;
-        const bool certified = m_certificate->isChecked();
-        file = files.constFirst();
-        if (certified)
-            requireForDcc(m_evaluated, windowLanguage());
-        if (!m_reports.empty())
-            attachments =
-                attachmentsOf(m_reports.front().testFileName, m_reports.front().testFile,
-                              attachedResults(m_evaluated), certified ? dcc(m_evaluated) : QByteArray());
-        for (std::size_t i = 0; i < m_reports.size(); ++i) {
-            file = files[static_cast<qsizetype>(i)];
-            requireNoTestFileName(file);
-            QBuffer pdf;
-            pdf.open(QIODevice::WriteOnly);
-            writePdf(m_reports[i], pdf, attachments);
-            reports.push_back({pdf.data(), file});
-        }
-        saveFiles(reports);
-    } catch (const UnsavedFile &error) {
-        refuse(error.path, windowLanguage().sentence(error.message));
-        return {};
-    } catch (const Error &error) {
-        refuse(file, windowLanguage().sentence(error.message));
-        return {};
+void ReportDialog::take(const Written &written) {
+    const bool done = written.refused.isEmpty();
+    showDocument();
+    if (done) {
+        m_summary->setText(tr("Saved: %1").arg(written.files.join(QStringLiteral(", "))));
+        showSaved(written.files);
+    } else {
+        showError(this, tr("%1 cannot be saved").arg(QFileInfo(written.refused).fileName()),
+                  windowLanguage().sentence(written.why));
     }
-    m_summary->setText(tr("Saved: %1").arg(files.join(QStringLiteral(", "))));
-    showSaved(files);
-    return files;
+    emit saved(done ? written.files : QStringList());
+}
+
+/// A file that is being written is written whole.
+void ReportDialog::reject() {
+    if (!m_writer.isBusy())
+        QDialog::reject();
 }
 
 /// Shows buttons to open what was last saved; none once the pages have changed.

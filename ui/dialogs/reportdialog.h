@@ -3,8 +3,11 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "document/savefiles.h"
 #include "print/pdf/pages.h"
+#include "report/attachedfile.h"
 #include "report/blocks/report.h"
+#include "ui/model/background.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
 #include "ui/model/simulator.h"
@@ -21,21 +24,32 @@ class PageColumn;
 
 /// "Report…": the pages to print and, next to them, the choices for the report: languages, paper, sections,
 /// signatures. These belong to the document; choosing them edits it. Saves a PDF in each language, prints.
+/// Pages are composed and files written in the background: meanwhile the first page can be read, the number
+/// of pages is a dash, and what needs all pages is disabled.
 class ReportDialog : public Translated<QDialog> {
     Q_OBJECT
 
 public:
     ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *parent = nullptr);
 
-    /// Writes a PDF, or NAME.fr.pdf and NAME.en.pdf for two languages. Returns the files written; on failure
-    /// shows a message and returns none.
-    QStringList saveTo(const QString &path);
+    /// Writes a PDF, or NAME.fr.pdf and NAME.en.pdf for two languages; requires composed pages. Emits
+    /// saved() at the end; on failure shows a message first.
+    void saveTo(const QString &path);
     /// Prints the pages as shown.
     bool printOn(QPrinter &printer);
 
     [[nodiscard]] int pageCount() const;
-    /// True while a simulation needed for the pages is running.
-    [[nodiscard]] bool isSimulating() const { return m_simulator.isRunning(); }
+    /// True while pages of the latest document are being composed.
+    [[nodiscard]] bool isComposing() const { return m_composer.isBusy(); }
+    /// True while a simulation needed for the pages is running, or pages with its results are composed.
+    [[nodiscard]] bool isSimulating() const { return m_simulator.isRunning() || isComposing(); }
+
+signals:
+    /// The files written; none if one could not be.
+    void saved(const QStringList &files);
+
+public slots:
+    void reject() override;
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -50,6 +64,26 @@ private:
         std::function<void(ReportHead &, bool)> set;
     };
 
+    /// What pages are composed of.
+    struct Source {
+        std::shared_ptr<const Document> document;
+        std::vector<TestEvaluationPointer> results; ///< from which the evaluation starts
+        Originals originals = Originals::leaveOut;
+
+        bool operator==(const Source &) const = default;
+    };
+    struct Composed {
+        EvaluatedDocument evaluated;
+        std::vector<Report> reports;
+        Pages pages;
+        std::optional<Message> refused = {};
+    };
+    struct Written {
+        QStringList files;
+        QString refused = {}; ///< the file that could not be written
+        Message why = {};
+    };
+
     QWidget *makeHead();
     QWidget *makeSide();
     void makeLanguages(QVBoxLayout &column);
@@ -57,6 +91,12 @@ private:
     void makeNotes(QVBoxLayout &whole);
     void makeButtons(QVBoxLayout &whole);
     void addChoices(QVBoxLayout *column);
+    void compose();
+    static Composed composed(const Background::Job &job, const Source &source,
+                             const EvaluatedDocument &previous, ReportDialog &dialog);
+    void take(Composed composed);
+    void showEvaluated(EvaluatedDocument evaluated);
+    void showPages(Pages pages);
     void showDocument();
     void showLength();
     void showProgress();
@@ -68,9 +108,9 @@ private:
     void choosePdf();
     /// The files written when saving to that path.
     [[nodiscard]] QStringList filesOf(const QString &path) const;
+    void take(const Written &written);
     /// Asks before replacing existing files.
     [[nodiscard]] bool mayReplace(const QStringList &files);
-    void refuse(const QString &file, const QString &why);
     void showSaved(const QStringList &files);
     void choosePrinter();
     void retranslate() final;
@@ -80,6 +120,7 @@ private:
     Simulator m_simulator;
     std::shared_ptr<const Document> m_simulated; ///< last simulated, or cancelled: not started again
     EvaluatedDocument m_evaluated;
+    Source m_source; ///< of the pages that are shown or being composed
     std::vector<Report> m_reports;
     Pages m_pages;
     bool m_fit = true;
@@ -120,6 +161,8 @@ private:
     QPushButton *m_save = nullptr;
     QPushButton *m_print = nullptr;
     QPushButton *m_close = nullptr;
+    Background m_writer;
+    Background m_composer; ///< last: its jobs use the others
 };
 
 } // namespace palmer::ui

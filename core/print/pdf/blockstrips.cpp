@@ -809,12 +809,13 @@ bool isMark(const Block &block) {
     return std::holds_alternative<RunningHead>(block) || std::holds_alternative<PageBreak>(block);
 }
 
-Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest) {
+Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest,
+                   const std::stop_token &stop) {
     Strips result;
     const StripMaker maker(width, tallest);
     const Block *above = nullptr;
     bool titled = false; // below the title of a test among several
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
+    for (std::size_t i = 0; i < blocks.size() && !stop.stop_requested(); ++i) {
         const Block &block = blocks[i];
         Strips strips = std::visit(maker, block);
         if (strips.empty())

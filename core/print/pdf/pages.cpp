@@ -375,11 +375,11 @@ private:
     double m_width;
 };
 
-Flow flowOf(const std::vector<Block> &blocks, QSizeF size) {
+Flow flowOf(const std::vector<Block> &blocks, QSizeF size, const std::stop_token &stop) {
     const double bottom = size.height() - bottomMargin;
     Flow flow(bottom);
     flow.fill(blockStrips(blocks, size.width() - leftMargin - rightMargin,
-                          bottom - topMargin - runningHeadHeight()));
+                          bottom - topMargin - runningHeadHeight(), stop));
     return flow;
 }
 
@@ -592,16 +592,16 @@ struct Layout {
     Flow flow;
 };
 
-Layout layoutOf(const Report &report, QSizeF size) {
-    Layout result{report, flowOf(report.blocks, size)};
+Layout layoutOf(const Report &report, QSizeF size, const std::stop_token &stop = {}) {
+    Layout result{report, flowOf(report.blocks, size, stop)};
     Report arranged = report;
     fillSummary(arranged.blocks, result.flow, size.height() - bottomMargin);
     if (arranged.blocks != report.blocks)
-        result = {arranged, flowOf(arranged.blocks, size)};
+        result = {arranged, flowOf(arranged.blocks, size, stop)};
     std::map<QString, int> numbers;
     // Page numbers in the text and moved verdicts may move what follows them.
     constexpr int attempts = 8;
-    for (int i = 0; i < attempts; ++i) {
+    for (int i = 0; i < attempts && !stop.stop_requested(); ++i) {
         bool moved = followPages(arranged.blocks, result.flow);
         if (!moved)
             moved = moveVerdicts(arranged.blocks, result.flow);
@@ -612,7 +612,7 @@ Layout layoutOf(const Report &report, QSizeF size) {
             break;
         numbers = std::move(found);
         result.report = withPages(arranged, numbers);
-        result.flow = flowOf(result.report.blocks, size);
+        result.flow = flowOf(result.report.blocks, size, stop);
     }
     return result;
 }
@@ -623,9 +623,9 @@ Report arrangedForPages(const Report &report) {
     return layoutOf(report, sizeOf(report.paper)).report;
 }
 
-Pages layoutPages(const Report &report) {
+Pages layoutPages(const Report &report, const std::stop_token &stop) {
     const QSizeF size = sizeOf(report.paper);
-    const Layout layout = layoutOf(report, size);
+    const Layout layout = layoutOf(report, size, stop);
     const PageMaker maker(layout.report, size);
     const std::vector<PageStrips> &filled = layout.flow.pages();
     Pages pages;
@@ -636,6 +636,16 @@ Pages layoutPages(const Report &report) {
         pages.push_back(maker.page(filled[i], next, i + 1, filled.size()));
     }
     return pages;
+}
+
+Pages firstPages(const Report &report) {
+    constexpr std::size_t most = 16; // more than a page holds
+    Report first = report;
+    first.blocks.resize(std::min(most, first.blocks.size()));
+    const auto isBreak = [](const Block &block) { return std::holds_alternative<PageBreak>(block); };
+    first.blocks.erase(std::ranges::find_if(first.blocks, isBreak), first.blocks.end());
+    first.footerRight.replace(QLatin1String("%2"), QStringLiteral("–"));
+    return layoutPages(first);
 }
 
 void drawPage(QPainter &painter, const PrintedPage &page) {

@@ -8,6 +8,7 @@
 #include <QRectF>
 #include <QSizeF>
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 class QPainter;
@@ -47,8 +48,13 @@ using Pages = std::vector<PrintedPage>;
 
 /// Lays out a report as pages with running heads, footers and page numbers. A section never starts in the
 /// last 25 mm, a figure keeps its caption, results stay together with their verdict, heads of split tables
-/// are repeated. Every report gives at least one page. Requires a QApplication (figures).
-[[nodiscard]] Pages layoutPages(const Report &report);
+/// are repeated. Every report gives at least one page; if stop is requested meanwhile, the pages are not
+/// those of the report. Requires a QApplication (figures).
+[[nodiscard]] Pages layoutPages(const Report &report, const std::stop_token &stop = {});
+
+/// The first page, or those before the first page break, whose references to other pages are dashes: soon
+/// there, however long the report.
+[[nodiscard]] Pages firstPages(const Report &report);
 
 /// The report as it is printed: with page numbers filled in, and with the verdict of a test directly below
 /// its head if the results do not fit on that page.

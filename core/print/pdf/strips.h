@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 namespace palmer {
 
@@ -46,8 +47,10 @@ constexpr double sectionGap = 6 * mm; ///< usual gap above a section
 using Strips = std::vector<Strip>;
 
 /// Converts all blocks to strips, in order, with the gaps between them. `width`: of the text, points;
-/// `tallest`: height of an empty page. Running heads are strips without height.
-[[nodiscard]] Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest);
+/// `tallest`: height of an empty page. Running heads are strips without height. Ends early if stop is
+/// requested.
+[[nodiscard]] Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest,
+                                 const std::stop_token &stop = {});
 
 /// True if the block begins a section.
 [[nodiscard]] bool beginsSection(const Block &block);
