@@ -4370,7 +4370,7 @@ est la même machine que&#xa0;:</translation>
     </message>
     <message>
         <source>Attach a digital calibration certificate (DCC)</source>
-        <translation>Joindre un certificat d’étalonnage numérique (DCC)</translation>
+        <translation>Joindre le certificat numérique (DCC)</translation>
     </message>
 </context>
 <context>

@@ -390,7 +390,8 @@ void ReportDialog::showEvaluated(EvaluatedDocument evaluated) {
     for (const TestEvaluationPointer &test : m_evaluated.tests)
         missing += static_cast<int>(std::ranges::count_if(test->findings, &Finding::missing));
     m_missing->setVisible(missing > 0);
-    m_missing->setText(tr("%n required statement(s) missing; printed as “–”", nullptr, missing));
+    m_missing->setText(
+        withGroups(tr("%n required statement(s) missing; printed as “–”", nullptr, missing), missing));
 }
 
 void ReportDialog::showPages(Pages pages) {
