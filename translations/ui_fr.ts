@@ -339,52 +339,52 @@
         <translation>Table rotative C, 360°</translation>
     </message>
     <message>
-        <source>Diagnosis: centre off</source>
-        <translation>Diagnostic&#xa0;: centre décalé</translation>
+        <source>Centre off</source>
+        <translation>Centre décalé</translation>
     </message>
     <message>
-        <source>Diagnosis: radius, mean scale</source>
-        <translation>Diagnostic&#xa0;: rayon, échelle moyenne</translation>
+        <source>Radius, mean scale</source>
+        <translation>Rayon, échelle moyenne</translation>
     </message>
     <message>
-        <source>Diagnosis: scale mismatch</source>
-        <translation>Diagnostic&#xa0;: différence d’échelle</translation>
+        <source>Scale mismatch</source>
+        <translation>Différence d’échelle</translation>
     </message>
     <message>
-        <source>Diagnosis: squareness</source>
-        <translation>Diagnostic&#xa0;: perpendicularité</translation>
+        <source>Squareness</source>
+        <translation>Perpendicularité</translation>
     </message>
     <message>
-        <source>Diagnosis: servo mismatch</source>
-        <translation>Diagnostic&#xa0;: défaut de servo</translation>
+        <source>Servo mismatch</source>
+        <translation>Défaut de servo</translation>
     </message>
     <message>
-        <source>Diagnosis: backlash</source>
-        <translation>Diagnostic&#xa0;: jeu à l’inversion</translation>
+        <source>Backlash</source>
+        <translation>Jeu à l’inversion</translation>
     </message>
     <message>
-        <source>Diagnosis: lateral play</source>
-        <translation>Diagnostic&#xa0;: jeu latéral</translation>
+        <source>Lateral play</source>
+        <translation>Jeu latéral</translation>
     </message>
     <message>
-        <source>Diagnosis: straightness</source>
-        <translation>Diagnostic&#xa0;: rectitude</translation>
+        <source>Straightness</source>
+        <translation>Rectitude</translation>
     </message>
     <message>
-        <source>Diagnosis: periodic deviation</source>
-        <translation>Diagnostic&#xa0;: écart périodique</translation>
+        <source>Periodic deviation</source>
+        <translation>Écart périodique</translation>
     </message>
     <message>
-        <source>Diagnosis: reversal spike</source>
-        <translation>Diagnostic&#xa0;: pic d’inversion</translation>
+        <source>Reversal spike</source>
+        <translation>Pic d’inversion</translation>
     </message>
     <message>
-        <source>Diagnosis: common lag, three feeds</source>
-        <translation>Diagnostic&#xa0;: retard commun, trois avances</translation>
+        <source>Common lag, three feeds</source>
+        <translation>Retard commun, trois avances</translation>
     </message>
     <message>
-        <source>Diagnosis: drift of the radius</source>
-        <translation>Diagnostic&#xa0;: dérive du rayon</translation>
+        <source>Drift of the radius</source>
+        <translation>Dérive du rayon</translation>
     </message>
     <message>
         <source>YZ plane, feedback signal</source>
@@ -406,8 +406,8 @@
         </translation>
     </message>
     <message>
-        <source>Diagnosis: vibration in the rest</source>
-        <translation>Diagnostic&#xa0;: vibration dans le reste</translation>
+        <source>Vibration in the rest</source>
+        <translation>Vibration dans le reste</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 targets, %n run(s)</source>
@@ -417,8 +417,8 @@
         </translation>
     </message>
     <message>
-        <source>Acceptance sheet of a machine</source>
-        <translation>Fiche de réception d’une machine</translation>
+        <source>Acceptance sheet</source>
+        <translation>Fiche de réception</translation>
     </message>
 </context>
 <context>
@@ -2575,6 +2575,10 @@
 </context>
 <context>
     <name>palmer::ui::MainWindow</name>
+    <message>
+        <source>&amp;Diagnosis: one influence each</source>
+        <translation>&amp;Diagnostic&#xa0;: une influence à la fois</translation>
+    </message>
     <message>
         <source>Open a test file</source>
         <translation>Ouvrir un fichier d’essais</translation>
@@ -5310,6 +5314,10 @@ est la même machine que&#xa0;:</translation>
 </context>
 <context>
     <name>palmer::ui::WelcomePage</name>
+    <message>
+        <source>Diagnosis: one influence each</source>
+        <translation>Diagnostic&#xa0;: une influence à la fois</translation>
+    </message>
     <message>
         <source>Welcome</source>
         <translation>Accueil</translation>

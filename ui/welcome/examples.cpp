@@ -26,29 +26,22 @@ constexpr std::array rows{
     Row{"iso230-4-full-circles-xy", QT_TRANSLATE_NOOP("examples", "XY plane, full circles"), "2005", true},
     Row{"iso230-4-partial-arc-zx", QT_TRANSLATE_NOOP("examples", "ZX plane, partial arc"), "2005", true},
     Row{"long-axis-with-zone", QT_TRANSLATE_NOOP("examples", "Long axis, with its zone"), "2006", false},
-    Row{"machine-acceptance-sheet", QT_TRANSLATE_NOOP("examples", "Acceptance sheet of a machine"), "2006",
-        false},
+    Row{"machine-acceptance-sheet", QT_TRANSLATE_NOOP("examples", "Acceptance sheet"), "2006", false},
     Row{"one-direction", QT_TRANSLATE_NOOP("examples", "Z axis, from one direction"), "2006", false},
     Row{"rotary-axis", QT_TRANSLATE_NOOP("examples", "Rotary table C, 360°"), "2014", false},
-    Row{"teaching-01-centre", QT_TRANSLATE_NOOP("examples", "Diagnosis: centre off"), "2005", true},
-    Row{"teaching-02-radius", QT_TRANSLATE_NOOP("examples", "Diagnosis: radius, mean scale"), "2005", true},
-    Row{"teaching-03-scale-mismatch", QT_TRANSLATE_NOOP("examples", "Diagnosis: scale mismatch"), "2005",
-        true},
-    Row{"teaching-04-squareness", QT_TRANSLATE_NOOP("examples", "Diagnosis: squareness"), "2005", true},
-    Row{"teaching-05-servo-mismatch", QT_TRANSLATE_NOOP("examples", "Diagnosis: servo mismatch"), "2005",
-        true},
-    Row{"teaching-06-backlash", QT_TRANSLATE_NOOP("examples", "Diagnosis: backlash"), "2005", true},
-    Row{"teaching-07-lateral-play", QT_TRANSLATE_NOOP("examples", "Diagnosis: lateral play"), "2005", true},
-    Row{"teaching-08-straightness", QT_TRANSLATE_NOOP("examples", "Diagnosis: straightness"), "2005", true},
-    Row{"teaching-09-periodic-deviation", QT_TRANSLATE_NOOP("examples", "Diagnosis: periodic deviation"),
-        "2005", true},
-    Row{"teaching-10-reversal-spike", QT_TRANSLATE_NOOP("examples", "Diagnosis: reversal spike"), "2005",
-        true},
-    Row{"teaching-11-common-lag", QT_TRANSLATE_NOOP("examples", "Diagnosis: common lag, three feeds"), "2005",
-        true},
-    Row{"teaching-12-drift", QT_TRANSLATE_NOOP("examples", "Diagnosis: drift of the radius"), "2005", true},
-    Row{"teaching-13-vibration", QT_TRANSLATE_NOOP("examples", "Diagnosis: vibration in the rest"), "2005",
-        true},
+    Row{"teaching-01-centre", QT_TRANSLATE_NOOP("examples", "Centre off"), "2005", true},
+    Row{"teaching-02-radius", QT_TRANSLATE_NOOP("examples", "Radius, mean scale"), "2005", true},
+    Row{"teaching-03-scale-mismatch", QT_TRANSLATE_NOOP("examples", "Scale mismatch"), "2005", true},
+    Row{"teaching-04-squareness", QT_TRANSLATE_NOOP("examples", "Squareness"), "2005", true},
+    Row{"teaching-05-servo-mismatch", QT_TRANSLATE_NOOP("examples", "Servo mismatch"), "2005", true},
+    Row{"teaching-06-backlash", QT_TRANSLATE_NOOP("examples", "Backlash"), "2005", true},
+    Row{"teaching-07-lateral-play", QT_TRANSLATE_NOOP("examples", "Lateral play"), "2005", true},
+    Row{"teaching-08-straightness", QT_TRANSLATE_NOOP("examples", "Straightness"), "2005", true},
+    Row{"teaching-09-periodic-deviation", QT_TRANSLATE_NOOP("examples", "Periodic deviation"), "2005", true},
+    Row{"teaching-10-reversal-spike", QT_TRANSLATE_NOOP("examples", "Reversal spike"), "2005", true},
+    Row{"teaching-11-common-lag", QT_TRANSLATE_NOOP("examples", "Common lag, three feeds"), "2005", true},
+    Row{"teaching-12-drift", QT_TRANSLATE_NOOP("examples", "Drift of the radius"), "2005", true},
+    Row{"teaching-13-vibration", QT_TRANSLATE_NOOP("examples", "Vibration in the rest"), "2005", true},
 };
 
 // Content of an example by kind of test.
@@ -81,7 +74,8 @@ std::vector<Example> examples() {
     for (const Row &row : rows) {
         list.push_back({QStringLiteral(":/examples/%1.palmer").arg(QLatin1StringView(row.file)),
                         QCoreApplication::translate("examples", row.name), QLatin1StringView(row.year),
-                        row.circular});
+                        row.circular,
+                        QLatin1StringView(row.file).startsWith(QLatin1StringView("teaching-"))});
     }
     return list;
 }

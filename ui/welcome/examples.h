@@ -13,6 +13,7 @@ struct Example {
     QString name; ///< in the window's language
     QString year; ///< of the edition
     bool circular = false;
+    bool teaching = false; ///< a circle with one influence, which the diagnosis finds
 };
 
 /// The examples, the published one first.

@@ -75,7 +75,7 @@ private:
     const StartList &m_list;
 };
 
-constexpr int leastColumn = 270; ///< of a list in columns
+constexpr int leastColumn = 235; ///< of a list in columns
 
 } // namespace
 

@@ -99,13 +99,15 @@ WelcomePage::WelcomePage(QWidget *parent)
     , m_noRecent(made<QLabel>(trait::secondary, trait::wrapped, m_body))
     , m_examplesTitle(new QLabel(m_body))
     , m_examplesNote(new QLabel(m_body))
+    , m_teachingTitle(new QLabel(m_body))
     , m_new(made<StartButton>("welcomeNew", QStringLiteral("axis"), m_body, StartButton::Picture::deviation))
     , m_newCircle(made<StartButton>("welcomeNewCircle", QStringLiteral("circle"), m_body,
                                     StartButton::Picture::circle))
     , m_open(made<StartButton>("welcomeOpen", QStringLiteral("open"), m_body))
     , m_import(made<StartButton>("welcomeImport", QStringLiteral("imp"), m_body))
     , m_recentList(made<StartList>("recentList", m_recent, mostRecent, m_body))
-    , m_examplesList(made<StartList>("examplesList", m_examples, m_body)) {
+    , m_examplesList(made<StartList>("examplesList", m_examples, m_body))
+    , m_teachingList(made<StartList>("teachingList", m_teaching, m_body)) {
     setObjectName(QStringLiteral("welcome"));
 
     auto *logo = new QLabel(m_body);
@@ -128,9 +130,10 @@ WelcomePage::WelcomePage(QWidget *parent)
     starts->addWidget(m_import, 1, 1);
     starts->addWidget(m_dropHint, 2, 0, 1, 2);
     starts->addWidget(makeCard(m_body, m_examplesTitle, m_examplesNote, {m_examplesList}), 3, 0, 1, 2);
+    starts->addWidget(makeCard(m_body, m_teachingTitle, nullptr, {m_teachingList}), 4, 0, 1, 2);
     starts->setColumnStretch(0, 1);
     starts->setColumnStretch(1, 1);
-    starts->setRowStretch(4, 1);
+    starts->setRowStretch(5, 1);
 
     m_noRecent->setContentsMargins(12, 0, 12, 8);
     auto *lists = inColumn(
@@ -161,12 +164,14 @@ WelcomePage::WelcomePage(QWidget *parent)
     setTabOrder(m_open, m_import);
     setTabOrder(m_import, m_recentList);
     setTabOrder(m_recentList, m_examplesList);
+    setTabOrder(m_examplesList, m_teachingList);
     connect(m_new, &QAbstractButton::clicked, this, &WelcomePage::newAsked);
     connect(m_newCircle, &QAbstractButton::clicked, this, &WelcomePage::newCircleAsked);
     connect(m_open, &QAbstractButton::clicked, this, &WelcomePage::openAsked);
     connect(m_import, &QAbstractButton::clicked, this, &WelcomePage::importAsked);
     connect(m_recentList, &StartList::chosen, this, &WelcomePage::fileChosen);
     connect(m_examplesList, &StartList::chosen, this, &WelcomePage::fileChosen);
+    connect(m_teachingList, &StartList::chosen, this, &WelcomePage::fileChosen);
     retranslate();
 }
 
@@ -187,9 +192,17 @@ void WelcomePage::refresh() {
     m_recent.setEntries(std::move(recent));
 
     std::vector<StartEntry> carried;
+    std::vector<StartEntry> teaching; // all of one kind and edition
     for (const Example &example : examples())
-        carried.push_back({example.path, kindIcon(example.circular), example.name, {}, example.year, {}});
+        (example.teaching ? teaching : carried)
+            .push_back({example.path,
+                        kindIcon(example.circular),
+                        example.name,
+                        {},
+                        example.teaching ? QString() : example.year,
+                        {}});
     m_examples.setEntries(std::move(carried));
+    m_teaching.setEntries(std::move(teaching));
 }
 
 void WelcomePage::showEvent(QShowEvent *event) {
@@ -219,6 +232,8 @@ void WelcomePage::retranslate() {
     m_examplesNote->setText(tr("verified results"));
     m_recentList->setAccessibleName(tr("Recent files"));
     m_examplesList->setAccessibleName(tr("Examples"));
+    m_teachingTitle->setText(tr("Diagnosis: one influence each"));
+    m_teachingList->setAccessibleName(m_teachingTitle->text());
     if (isVisible())
         refresh();
 }

@@ -37,6 +37,7 @@ private:
 
     StartModel m_recent;
     StartModel m_examples;
+    StartModel m_teaching;
     // Parts are made with their final parent: reparenting recomputes all styles below them.
     QScrollArea *m_place;
     QWidget *m_page; ///< scrolls on low screens
@@ -47,12 +48,14 @@ private:
     QLabel *m_noRecent;
     QLabel *m_examplesTitle;
     QLabel *m_examplesNote;
+    QLabel *m_teachingTitle;
     StartButton *m_new;
     StartButton *m_newCircle;
     StartButton *m_open;
     StartButton *m_import;
     StartList *m_recentList;
     StartList *m_examplesList;
+    StartList *m_teachingList;
 };
 
 } // namespace palmer::ui

@@ -940,9 +940,15 @@ void MainWindow::fillRecentMenu() {
 void MainWindow::fillExamplesMenu() {
     QMenu *list = menu(WindowMenu::examples);
     list->clear();
-    int number = 1;
+    QMenu *teaching = nullptr;
+    int number = 0;
     for (const Example &example : examples()) {
-        QAction *action = list->addAction(QStringLiteral("&%1  %2").arg(number++).arg(example.name));
+        if (example.teaching && !teaching) {
+            teaching = list->addMenu(tr("&Diagnosis: one influence each"));
+            number = 0;
+        }
+        QAction *action = (teaching ? teaching : list)
+                              ->addAction(QStringLiteral("&%1  %2").arg(++number).arg(example.name));
         connect(action, &QAction::triggered, this, [this, path = example.path] { openFile(path); });
     }
 }

@@ -437,9 +437,10 @@ void LayoutTest::allExamplesAreInSight() {
     QFETCH(Language::Id, language);
     setWindowLanguage(language);
     const ShownWindow shown({}, {1280, 770}); // a screen of 1 280 × 800 less the title of the window
-    const auto *list = shown.find<QListView>("examplesList");
-    QTRY_COMPARE(list->model()->rowCount(), static_cast<int>(examples().size()));
-    QTRY_VERIFY([&] {
+    const std::array lists{shown.find<QListView>("examplesList"), shown.find<QListView>("teachingList")};
+    QTRY_COMPARE(lists[0]->model()->rowCount() + lists[1]->model()->rowCount(),
+                 static_cast<int>(examples().size()));
+    QTRY_VERIFY(std::ranges::all_of(lists, [&](const QListView *list) {
         for (int row = 0; row < list->model()->rowCount(); ++row) {
             const QRect place = list->visualRect(list->model()->index(row, 0));
             const QPoint end = list->viewport()->mapTo(shown.window, place.bottomRight());
@@ -448,7 +449,7 @@ void LayoutTest::allExamplesAreInSight() {
                 return false;
         }
         return true;
-    }());
+    }));
     auto *scroll = qobject_cast<QScrollArea *>(shown.find("welcome")->findChild<QScrollArea *>());
     QVERIFY(scroll && !scroll->verticalScrollBar()->isVisible());
 }
