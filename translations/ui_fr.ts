@@ -343,10 +343,6 @@
         <translation>Centre décalé</translation>
     </message>
     <message>
-        <source>Radius, mean scale</source>
-        <translation>Rayon, échelle moyenne</translation>
-    </message>
-    <message>
         <source>Scale mismatch</source>
         <translation>Différence d’échelle</translation>
     </message>
@@ -383,10 +379,6 @@
         <translation>Retard commun, trois avances</translation>
     </message>
     <message>
-        <source>Drift of the radius</source>
-        <translation>Dérive du rayon</translation>
-    </message>
-    <message>
         <source>YZ plane, feedback signal</source>
         <translation>Plan YZ, signal de retour</translation>
     </message>
@@ -415,10 +407,6 @@
             <numerusform>%1 · %2 points, %n passe</numerusform>
             <numerusform>%1 · %2 points, %n passes</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Acceptance sheet</source>
-        <translation>Fiche de réception</translation>
     </message>
 </context>
 <context>
