@@ -11,7 +11,7 @@ namespace palmer {
 
 namespace {
 
-/// Takes the numbers of a parameter; its limit as a range if the sign counts, so that it is judged alike.
+/// Takes the numbers of a parameter; its limit as a range if the sign counts.
 void take(SheetResult &result, const Parameter &parameter) {
     result.parameter = &parameter;
     result.value = parameter.value;
@@ -50,12 +50,6 @@ void findSource(SheetResult &result, const SheetSource &source, std::span<const 
 Verdict decideRow(const SheetResult &result, std::optional<double> guarded, const DecisionRule &rule) {
     const double value = *result.value;
     const Permitted &permitted = result.permitted;
-    if (result.parameter) {
-        const Parameter &parameter = *result.parameter;
-        const double limit = *parameter.limit->value;
-        return decideUpper(judgedValue(value, parameter.bound), judgedLimit(limit, parameter.bound), guarded,
-                           rule, roundingBeside(parameter, limit));
-    }
     if (!permitted.low)
         return decideUpper(std::abs(value), *permitted.high, guarded, rule, roundingOfWritten);
     return std::max(decideUpper(value, *permitted.high, guarded, rule, roundingOfWritten),
@@ -73,12 +67,15 @@ SheetResult evaluateRow(const SheetRow &row, const DecisionRule &rule, std::span
     }
     if (!row.notApplicable.empty()) {
         result.state = SheetState::notApplicable;
+    } else if (result.value && result.parameter) { // what the test proves, doubts of its conditions included
+        const std::optional<Verdict> verdict = result.parameter->verdict;
+        result.guardBand = verdict ? guardBand(result.parameter->guardedUncertainty(), rule) : std::nullopt;
+        result.state = verdict ? static_cast<SheetState>(*verdict) : SheetState::noLimit;
     } else if (result.value && !result.permitted.low && !result.permitted.high) {
         result.state = SheetState::noLimit;
     } else if (result.value) {
-        const auto guarded = result.parameter ? result.parameter->guardedUncertainty() : result.uncertainty;
-        result.guardBand = guardBand(guarded, rule);
-        result.state = static_cast<SheetState>(decideRow(result, guarded, rule));
+        result.guardBand = guardBand(result.uncertainty, rule);
+        result.state = static_cast<SheetState>(decideRow(result, result.uncertainty, rule));
     }
     return result;
 }

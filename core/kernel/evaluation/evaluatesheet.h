@@ -38,8 +38,8 @@ struct NamedTest {
     const TestEvaluation *evaluation = nullptr;
 };
 
-/// Judges each row by one decision rule: numbers of its own, or value, deciding U and limit of a parameter,
-/// which is looked up with its rules of magnitude and sign. A range has a guard band at both ends; no U
+/// Judges each row: numbers of its own by the decision rule; a row that names a parameter of a test has its
+/// value, deciding U, limit and verdict, which also counts the conditions of the test. A range has a guard band at both ends; no U
 /// proves nothing where the rule needs one.
 [[nodiscard]] std::vector<SheetResult> evaluateSheet(std::span<const SheetRow> rows, const DecisionRule &rule,
                                                      std::span<const NamedTest> tests);

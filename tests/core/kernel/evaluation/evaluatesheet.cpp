@@ -33,12 +33,20 @@ struct TestWithResults {
         a.value = 0.0078;
         a.expandedUncertainty = 0.003;
         a.limit = Limit{0.012, {}, ""};
+        a.verdict = Verdict::conforms;
+        Parameter e = a; // the validity at 20 °C is open
+        e.term.id = "E";
+        e.verdict = Verdict::notProven;
+        Parameter m = a; // the limit was agreed for another edition
+        m.term.id = "M";
+        m.verdict.reset();
         Parameter f;
         f.term.id = "Fmin";
         f.term.also = "F";
         f.value = -0.004;
         f.bound = Bound::lower;
         f.limit = Limit{-0.003, {}, ""};
+        f.verdict = Verdict::doesNotConform;
         Parameter g;
         g.term.id = "G";
         g.index = "XY";
@@ -48,7 +56,7 @@ struct TestWithResults {
         other.value = 0.005;
         Parameter empty;
         empty.term.id = "R";
-        evaluation.parameters = {a, f, g, other, empty};
+        evaluation.parameters = {a, e, m, f, g, other, empty};
     }
     [[nodiscard]] SheetResult of(const std::string &test, const std::string &parameter, Rule rule) const {
         SheetRow row;
@@ -132,6 +140,8 @@ void EvaluateSheetTest::rowsFromTests() {
     QCOMPARE(a.uncertainty, std::optional(0.003));
     QCOMPARE(a.permitted.high, std::optional(0.012));
     QCOMPARE(a.test, std::optional(std::size_t{0}));
+    QCOMPARE(tests.of("x1", "E", Rule::simpleAcceptance).state, SheetState::notProven);
+    QCOMPARE(tests.of("x1", "M", Rule::simpleAcceptance).state, SheetState::noLimit);
     // A limit from below: −4 is less than −3.
     QCOMPARE(tests.of("x1", "F", Rule::simpleAcceptance).state, SheetState::doesNotConform);
     QCOMPARE(tests.of("x1", "G_XY", Rule::simpleAcceptance).value, std::optional(0.002));
@@ -140,7 +150,7 @@ void EvaluateSheetTest::rowsFromTests() {
     const SheetResult empty = tests.of("x1", "R", Rule::simpleAcceptance);
     QCOMPARE(empty.state, SheetState::notMeasured);
     QCOMPARE(empty.gap, std::optional(SheetGap::noValue));
-    QCOMPARE(tests.of("x1", "M", Rule::simpleAcceptance).gap, std::optional(SheetGap::noSuchParameter));
+    QCOMPARE(tests.of("x1", "B", Rule::simpleAcceptance).gap, std::optional(SheetGap::noSuchParameter));
     QCOMPARE(tests.of("y1", "A", Rule::simpleAcceptance).gap, std::optional(SheetGap::noSuchTest));
     QCOMPARE(tests.of("", "A", Rule::simpleAcceptance).gap, std::optional(SheetGap::noSuchTest));
 }
