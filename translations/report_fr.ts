@@ -9447,6 +9447,30 @@
         <translation>Ce que la révision change.</translation>
     </message>
     <message>
+        <source>the explanations as JSON</source>
+        <translation>les explications en JSON</translation>
+    </message>
+    <message>
+        <source>the feed as JSON, with all digits</source>
+        <translation>l’avance en JSON, avec tous les chiffres</translation>
+    </message>
+    <message>
+        <source>choices, remarks and questions as JSON on standard output</source>
+        <translation>choix, remarques et questions en JSON sur la sortie standard</translation>
+    </message>
+    <message>
+        <source>there is no schema %1; palmer-cli schema lists them</source>
+        <translation>il n’y a pas de schéma %1&#x202f;; palmer-cli schema en donne la liste</translation>
+    </message>
+    <message>
+        <source>the JSON Schema of what a command writes as JSON; without NAME what there is</source>
+        <translation>le schéma JSON de ce qu’une commande écrit en JSON&#x202f;; sans NAME, la liste des schémas</translation>
+    </message>
+    <message>
+        <source>the plan as JSON; without -o on standard output</source>
+        <translation>le plan en JSON&#x202f;; sans -o sur la sortie standard</translation>
+    </message>
+    <message>
         <source>expected nothing here, for “from” takes it from a test</source>
         <translation>rien n’est attendu ici, car «&#xa0;from&#xa0;» le prend d’un essai</translation>
     </message>

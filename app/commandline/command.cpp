@@ -165,7 +165,7 @@ std::span<const Command> commands() {
     static const std::array table{evaluateCommand(), checkCommand(),   reportCommand(),     verifyCommand(),
                                   figureCommand(),   explainCommand(), importCommand(),     exportCommand(),
                                   targetsCommand(),  feedCommand(),    synthesizeCommand(), registerCommand(),
-                                  selftestCommand()};
+                                  schemaCommand(),   selftestCommand()};
     return table;
 }
 

@@ -3,6 +3,7 @@
 #include "commandline/help.h"
 
 #include "commandline/command.h"
+#include "document/jsonformats.h"
 #include "import/choices.h"
 #include "kernel/evaluation/edition.h"
 
@@ -114,6 +115,9 @@ private:
         const QString known = QString::fromUtf8(m_command->arguments);
         if (m_asksHelp && takesKeys(*m_command))
             add(QString::fromUtf8(keysWord), {});
+        else if (known == QLatin1StringView("[NAME]"))
+            for (const JsonFormat &row : jsonFormats())
+                add(QString::fromUtf8(row.name), QString::fromUtf8(row.command));
         else if (known.contains(u'|') && known.front().isLower()) // "circular|positioning"
             for (const QString &word : known.split(u'|'))
                 add(word.section(u' ', 0, 0), {});

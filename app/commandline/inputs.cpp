@@ -74,8 +74,8 @@ private:
     QStringList m_unreadable;
 };
 
-void printFolderError(const QString &folder, const Text &text, const Language &language) {
-    printError(folder, Error(Error::Kind::unreadable, {text, {}, {}}), language);
+Error unreadable(const Text &text) {
+    return Error(Error::Kind::unreadable, {text, {}, {}});
 }
 
 } // namespace
@@ -93,13 +93,12 @@ Inputs inputsOf(const Invocation &invocation, InFolders which) {
         result.several = true;
         FolderWalk walk(argument, which);
         for (const QString &folder : walk.unreadable())
-            printFolderError(folder, REPORT_TEXT("report", "the folder cannot be read"), invocation.language);
+            fail(invocation, folder, unreadable(REPORT_TEXT("report", "the folder cannot be read")));
         if (walk.found().empty() && walk.unreadable().isEmpty())
-            printFolderError(argument,
-                             which == InFolders::reports
-                                 ? REPORT_TEXT("report", "there is no report in the folder")
-                                 : REPORT_TEXT("report", "there is no test file or report in the folder"),
-                             invocation.language);
+            fail(invocation, argument,
+                 unreadable(which == InFolders::reports
+                                ? REPORT_TEXT("report", "there is no report in the folder")
+                                : REPORT_TEXT("report", "there is no test file or report in the folder")));
         if (walk.found().empty() || !walk.unreadable().isEmpty())
             result.code = cannotRead;
         std::ranges::move(walk.found(), std::back_inserter(result.list));
@@ -130,25 +129,19 @@ int eachInput(const Invocation &invocation, const Inputs &inputs,
         try {
             return work(input);
         } catch (const Error &error) {
-            printError(input.file, error, invocation.language);
+            return {fail(invocation, input.file, error), {}};
         } catch (const UsageError &error) { // only detected with the file: --set
-            printError(input.file + QStringLiteral(": ") + invocation.language.sentence(error.message));
-            return {wrongUsage, {}};
+            return {fail(invocation, input.file, invocation.language.sentence(error.message), wrongUsage),
+                    {}};
         } catch (const std::bad_alloc &) {
-            printError(input.file, notEnoughMemory(), invocation.language);
+            return {fail(invocation, input.file, notEnoughMemory()), {}};
         }
-        return {cannotRead, {}};
     };
     jobs.broken = [&](int i) {
-        printError(
-            inputAt(i).file,
-            Error(Error::Kind::unreadable,
-                  {REPORT_TEXT("report",
-                               "the work on this file broke off, perhaps for want of memory; try it alone"),
-                   {},
-                   {}}),
-            invocation.language);
-        return cannotRead;
+        return fail(
+            invocation, inputAt(i).file,
+            unreadable(REPORT_TEXT(
+                "report", "the work on this file broke off, perhaps for want of memory; try it alone")));
     };
     jobs.heard = [&](int, const JobResult &result) {
         code = worse(code, result.code);
@@ -167,10 +160,7 @@ int eachDocument(const Invocation &invocation, const Inputs &inputs,
     const auto onDocument = [&](const Input &input) -> JobResult {
         if (isToBePassedOver(input))
             return {done, {}};
-        std::optional<Document> document = documentFrom(input.file, invocation);
-        if (!document) // it has open questions
-            return {cannotRead, {}};
-        return work(input, std::move(*document));
+        return work(input, documentFrom(input.file, invocation));
     };
     return eachInput(invocation, inputs, onDocument, between, heard);
 }

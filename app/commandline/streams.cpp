@@ -9,6 +9,7 @@
 #include "document/savedocument.h"
 #include "document/setfield.h"
 #include "document/testfile.h"
+#include "export/answersjson.h"
 #include "import/importmeasurement.h"
 #include "import/profiles.h"
 #include "language/visibletext.h"
@@ -81,11 +82,28 @@ void printError(const QString &text) {
     std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
 }
 
+namespace {
+
+QString textOf(const Error &error, const Language &language) {
+    return (error.place.empty() ? QString() : QString::fromStdString(error.place) + QStringLiteral(": ")) +
+           language.sentence(error.message);
+}
+
+} // namespace
+
 void printError(const QString &file, const Error &error, const Language &language) {
-    QString text = file + QStringLiteral(": ");
-    if (!error.place.empty())
-        text += QString::fromStdString(error.place) + QStringLiteral(": ");
-    printError(text + language.sentence(error.message));
+    printError(file + QStringLiteral(": ") + textOf(error, language));
+}
+
+int fail(const Invocation &invocation, const QString &file, const QString &text, ExitCode code) {
+    printError(file + QStringLiteral(": ") + text);
+    if (invocation.has(jsonLinesOption.name))
+        printOut(errorJson(shownFileName(file), text, code));
+    return code;
+}
+
+int fail(const Invocation &invocation, const QString &file, const Error &error) {
+    return fail(invocation, file, textOf(error, invocation.language), cannotRead);
 }
 
 namespace {
@@ -184,8 +202,8 @@ ImportOptions chosenOptions(const Invocation &invocation) {
     return chosen;
 }
 
-std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, const ImportOptions &options,
-                                     const Invocation &invocation) {
+Imported importedFrom(QByteArrayView bytes, const QString &file, const ImportOptions &options,
+                      const Invocation &invocation) {
     Imported imported = showMeasurement(bytes, file, options);
     if (imported.refusal) {
         if (!imported.columns.empty())
@@ -196,34 +214,33 @@ std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, 
         throw Error(*imported.refusal);
     }
     printRemarks(file, imported.remarks, invocation.language);
-    const bool accepts = invocation.has("accept");
-    std::size_t open = 0;
-    std::size_t assumed = 0;
     for (const Question &question : imported.questions) {
-        const bool isAccepted = accepts && question.canBeAssumed();
-        open += isAccepted ? 0 : 1;
-        assumed += question.canBeAssumed() ? 1 : 0;
-        if (isAccepted)
+        if (!invocation.has("accept") || !question.canBeAssumed())
+            printQuestion(file, question, invocation.language);
+        else
             printError(placeOf(file, question.line, question.column) +
                        invocation.language.sentence(question.sentence) +
                        timesOf(question.further.size() + 1));
-        else
-            printQuestion(file, question, invocation.language);
     }
+    return imported;
+}
+
+void requireAnswers(const Imported &imported, const Invocation &invocation) {
+    const auto assumed = std::ranges::count_if(imported.questions, &Question::canBeAssumed);
+    const bool accepts = invocation.has("accept");
+    const auto open = static_cast<std::ptrdiff_t>(imported.questions.size()) - (accepts ? assumed : 0);
     if (open == 0)
-        return imported;
-    const bool helpsToAccept = !accepts && assumed > 0;
-    Message refusal{helpsToAccept
-                        ? REPORT_TEXT_COUNTED(
-                              "report", "%n question(s) are open: nothing was imported; answer with --set, "
-                                        "or take what is assumed with --accept")
-                        : REPORT_TEXT_COUNTED(
-                              "report", "%n question(s) are open: nothing was imported; each wants its own "
-                                        "answer with --set"),
-                    {},
-                    static_cast<int>(open)};
-    printError(file + QStringLiteral(": ") + invocation.language.sentence(refusal));
-    return {};
+        return;
+    throw Error(Error::Kind::content,
+                {!accepts && assumed > 0
+                     ? REPORT_TEXT_COUNTED(
+                           "report", "%n question(s) are open: nothing was imported; answer with --set, "
+                                     "or take what is assumed with --accept")
+                     : REPORT_TEXT_COUNTED(
+                           "report", "%n question(s) are open: nothing was imported; each wants its own "
+                                     "answer with --set"),
+                 {},
+                 static_cast<int>(open)});
 }
 
 std::vector<std::string> choicesWithoutEffect(const Imported &imported, const Invocation &invocation) {
@@ -277,7 +294,7 @@ void requireNoChoice(const Invocation &invocation) {
 
 } // namespace
 
-std::optional<Document> documentFrom(const QString &file, const Invocation &invocation) {
+Document documentFrom(const QString &file, const Invocation &invocation) {
     const QByteArray bytes = bytesFrom(file);
     const bool isReport = isPdf(bytes);
     if (isReport || isTestFile(bytes, file))
@@ -286,14 +303,12 @@ std::optional<Document> documentFrom(const QString &file, const Invocation &invo
         return prepared(readDocument(readReportPdf(bytes).testFile), invocation);
     if (isTestFile(bytes, file))
         return prepared(withTests(readDocument(bytes)), invocation);
-    auto imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);
-    if (!imported)
-        return {};
-    if (const std::vector<std::string> without = choicesWithoutEffect(*imported, invocation);
-        !without.empty())
+    Imported imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);
+    requireAnswers(imported, invocation);
+    if (const std::vector<std::string> without = choicesWithoutEffect(imported, invocation); !without.empty())
         refuseChoice(without.front());
     Document document;
-    addImported(document, std::move(*imported), bytes, file, false);
+    addImported(document, std::move(imported), bytes, file, false);
     return prepared(std::move(document), invocation);
 }
 

@@ -37,6 +37,11 @@ inline constexpr Option jsonLinesOption{
 /// Prints one line on standard error: `palmer-cli: text`, with spaces for control characters.
 void printError(const QString &text);
 
+/// Reports a failed file: `palmer-cli: FILE: text` on standard error and, with --json-lines, an object on
+/// standard output. Returns the code.
+int fail(const Invocation &invocation, const QString &file, const QString &text, ExitCode code);
+int fail(const Invocation &invocation, const QString &file, const Error &error); ///< cannotRead
+
 /// Prints `palmer-cli: FILE: place: what is wrong`.
 void printError(const QString &file, const Error &error, const Language &language);
 
@@ -73,11 +78,12 @@ inline constexpr std::array foreignOptions{
 /// Choices by --profile and --set. Throws UsageError, or Error if the profiles cannot be read.
 [[nodiscard]] ImportOptions chosenOptions(const Invocation &invocation);
 
-/// The measurement of a file; its remarks are printed. Null if questions remain that neither --set nor
-/// --accept answers (--accept only takes proposals); these are printed.
-[[nodiscard]] std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file,
-                                                   const ImportOptions &options,
-                                                   const Invocation &invocation);
+/// The measurement of a file; its remarks and questions are printed. Throws Error if it cannot be read.
+[[nodiscard]] Imported importedFrom(QByteArrayView bytes, const QString &file, const ImportOptions &options,
+                                    const Invocation &invocation);
+
+/// Throws Error if questions remain that neither --set nor --accept answers (--accept only takes proposals).
+void requireAnswers(const Imported &imported, const Invocation &invocation);
 
 /// The keys of --set that are choices of the import but do not apply to this file. Keys that only answer a
 /// question that may not arise are not included.
@@ -88,7 +94,7 @@ inline constexpr std::array foreignOptions{
 [[noreturn]] void refuseChoice(const std::string &key);
 
 /// The document of a file: a test file, the one inside a report, or the import of an instrument file or
-/// table, see importedFrom(); null after printing questions. Throws Error.
-[[nodiscard]] std::optional<Document> documentFrom(const QString &file, const Invocation &invocation);
+/// table whose questions are answered. Throws Error.
+[[nodiscard]] Document documentFrom(const QString &file, const Invocation &invocation);
 
 } // namespace palmer

@@ -19,6 +19,7 @@ namespace palmer {
 [[nodiscard]] Command feedCommand();
 [[nodiscard]] Command synthesizeCommand(); ///< creates a measurement with known truth
 [[nodiscard]] Command registerCommand();
+[[nodiscard]] Command schemaCommand();
 [[nodiscard]] Command selftestCommand();
 
 } // namespace palmer

@@ -7,7 +7,9 @@
 #include "commandline/streams.h"
 #include "commandline/terminal.h"
 #include "document/evaluateddocument.h"
+#include "document/filename.h"
 #include "editing/typicalvalues.h"
+#include "export/answersjson.h"
 #include "report/blocks/plaintext.h"
 #include "report/explanations/explanation.h"
 
@@ -24,7 +26,7 @@ constexpr auto explainOptions = optionList(
            REPORT_TEXT("report",
                        "what the budget of the uncertainty may take where nothing is stated, and where "
                        "it comes from, as --set takes it")},
-    foreignOptions);
+    Option{"json", "", REPORT_TEXT("report", "the explanations as JSON")}, foreignOptions);
 
 QString inLines(const QString &text, int indent) {
     QString result;
@@ -106,44 +108,54 @@ Asked askedOf(const Invocation &invocation, std::size_t tests) {
 }
 
 /// A value, its source and the options that apply it.
-QString textOf(const TypicalValue &value, std::size_t test) {
-    QString text = value.value + u'\n' + inLines(value.source, 2);
-    for (const auto &[field, stated] : value.fields)
-        text += QStringLiteral("    --set '") + QString::fromStdString(pathInFile(test, field)) + u'=' +
+QString textOf(const OfferedValue &offered) {
+    QString text = offered.value + u'\n' + inLines(offered.source, 2);
+    for (const auto &[path, stated] : offered.settings)
+        text += QStringLiteral("    --set '") + QString::fromStdString(path) + u'=' +
                 QString::fromStdString(stated) + QStringLiteral("'\n");
     return text;
 }
 
-/// Output for one test.
-QString partOf(const EvaluatedDocument &evaluated, std::size_t test, const Asked &asked,
-               const Language &language) {
-    QString part;
-    if (asked.typical) {
-        const Document &document = *evaluated.document;
-        for (const TypicalValue &value : typicalValues(document, *document.tests[test], language))
-            part += u'\n' + textOf(value, test);
-        return part;
-    }
-    for (const std::string &id : idsMeant(*evaluated.tests[test], asked.parameter)) {
-        if (const auto explained = explanation(evaluated, test, id, language))
-            part += u'\n' + textOf(*explained);
-    }
-    return part;
-}
-
-QString explanations(const EvaluatedDocument &evaluated, const Asked &asked, const Language &language) {
-    QString text;
+/// What is said of the chosen tests; without those of which nothing is.
+std::vector<ExplainedTest> explained(const EvaluatedDocument &evaluated, const Asked &asked,
+                                     const Language &language) {
+    const Document &document = *evaluated.document;
+    std::vector<ExplainedTest> result;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         if (asked.test && *asked.test != i)
             continue;
-        const QString &title = QString::fromStdString(evaluated.document->tests[i]->title);
-        const QString part = partOf(evaluated, i, asked, language);
-        if (part.isEmpty())
-            continue;
+        ExplainedTest one{i, {}, {}};
+        if (asked.typical) {
+            for (const TypicalValue &value : typicalValues(document, *document.tests[i], language)) {
+                one.typical.push_back({value.value, value.source, {}});
+                for (const auto &[field, stated] : value.fields)
+                    one.typical.back().settings.emplace_back(pathInFile(i, field), stated);
+            }
+        } else {
+            for (const std::string &id : idsMeant(*evaluated.tests[i], asked.parameter)) {
+                if (auto explained = explanation(evaluated, i, id, language))
+                    one.parameters.push_back(std::move(*explained));
+            }
+        }
+        if (!one.parameters.empty() || !one.typical.empty())
+            result.push_back(std::move(one));
+    }
+    return result;
+}
+
+QString textOf(const std::vector<ExplainedTest> &tests, const EvaluatedDocument &evaluated,
+               const Language &language) {
+    QString text;
+    for (const ExplainedTest &one : tests) {
+        const QString title = QString::fromStdString(evaluated.document->tests[one.test]->title);
         const QString head = language.sentence(
-            {REPORT_TEXT("report", "Test %1"), {Number{static_cast<double>(i + 1), Quantity::count}}});
+            {REPORT_TEXT("report", "Test %1"), {Number{static_cast<double>(one.test + 1), Quantity::count}}});
         text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + head +
-                (title.isEmpty() ? QString() : QStringLiteral(" · ") + title) + u'\n' + part;
+                (title.isEmpty() ? QString() : QStringLiteral(" · ") + title) + u'\n';
+        for (const OfferedValue &offered : one.typical)
+            text += u'\n' + textOf(offered);
+        for (const Explanation &explained : one.parameters)
+            text += u'\n' + textOf(explained);
     }
     return text;
 }
@@ -151,19 +163,22 @@ QString explanations(const EvaluatedDocument &evaluated, const Asked &asked, con
 int runExplain(const Invocation &invocation) {
     const QString &file = invocation.arguments.front();
     return codeOf(file, invocation.language, [&]() -> int {
-        std::optional<Document> document = documentFrom(file, invocation);
-        if (!document)
-            return cannotRead; // it has open questions
-        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(std::move(*document)));
+        const EvaluatedDocument evaluated =
+            evaluate(std::make_shared<const Document>(documentFrom(file, invocation)));
         const Asked asked = askedOf(invocation, evaluated.tests.size());
-        const QString text = explanations(evaluated, asked, invocation.language);
-        if (text.isEmpty() && asked.parameter)
+        const bool asJson = invocation.has("json");
+        const Language language = asJson ? namesLanguage(invocation) : invocation.language;
+        const std::vector<ExplainedTest> tests = explained(evaluated, asked, language);
+        if (tests.empty() && asked.parameter)
             refuseUnknown(evaluated, asked);
-        if (text.isEmpty() && asked.typical)
+        if (tests.empty() && asked.typical)
             printError(
                 file + QStringLiteral(": ") +
                 invocation.language.text(REPORT_TEXT("report", "no typical value is known for its tests")));
-        printOut(text);
+        if (asJson)
+            printOut(explanationJson(evaluated, shownFileName(file), tests));
+        else
+            printOut(textOf(tests, evaluated, language));
         return done;
     });
 }

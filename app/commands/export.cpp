@@ -225,10 +225,8 @@ int runExport(const Invocation &invocation) {
     const QString file = invocation.arguments.front();
     const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
     return codeOf(file, invocation.language, [&]() -> int {
-        std::optional<Document> document = documentFrom(file, invocation);
-        if (!document)
-            return cannotRead; // it has open questions
-        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(std::move(*document)));
+        const EvaluatedDocument evaluated =
+            evaluate(std::make_shared<const Document>(documentFrom(file, invocation)));
         const std::optional<FoundTable> compared =
             compensation ? comparedTable(invocation) : std::optional<FoundTable>();
         QByteArray bytes;

@@ -4,6 +4,7 @@
 
 #include "commandline/optionvalues.h"
 #include "commandline/streams.h"
+#include "export/answersjson.h"
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 #include "language/decimals.h"
 
@@ -17,6 +18,7 @@ constexpr std::array feedOptions{
     Option{"specified-diameter", "MM", REPORT_TEXT("report", "diameter the feed was specified for")},
     Option{"specified-feed", "MM/MIN", REPORT_TEXT("report", "contouring feed specified for it")},
     Option{"diameter", "MM", REPORT_TEXT("report", "diameter of the test")},
+    Option{"json", "", REPORT_TEXT("report", "the feed as JSON, with all digits")},
 };
 
 double positiveNumber(const Invocation &invocation, const Option &option) {
@@ -28,13 +30,16 @@ double positiveNumber(const Invocation &invocation, const Option &option) {
 }
 
 int runFeed(const Invocation &invocation) {
-    const auto &[specifiedDiameter, specifiedFeed, diameter] = feedOptions;
+    const auto &[specifiedDiameter, specifiedFeed, diameter, json] = feedOptions;
     const auto feed = iso230_4::contouringFeed({positiveNumber(invocation, specifiedDiameter),
                                                 positiveNumber(invocation, specifiedFeed),
                                                 positiveNumber(invocation, diameter)});
     if (!feed)
         throw UsageError({REPORT_TEXT("report", "there is no feed for numbers this large or small"), {}});
-    printOut(invocation.language.quantity(*feed, Quantity::feed, feedDecimals(*feed)) + u'\n');
+    if (invocation.has(json.name))
+        printOut(feedJson(*feed));
+    else
+        printOut(invocation.language.quantity(*feed, Quantity::feed, feedDecimals(*feed)) + u'\n');
     return done;
 }
 

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/commands.h"
 
+#include "commandline/optionvalues.h"
 #include "commandline/outputfile.h"
 #include "commandline/preparation.h"
 #include "commandline/streams.h"
+#include "document/filename.h"
 #include "document/hugepages.h"
 #include "document/savedocument.h"
 #include "document/sha256.h"
+#include "export/answersjson.h"
 #include "import/importmeasurement.h"
 #include "kernel/numerics/runinbackground.h"
 
@@ -27,6 +30,7 @@ namespace {
 constexpr auto importOptions = optionList(
     Option{"o", "OUT.palmer", REPORT_TEXT("report", "the test file to write")}, foreignOptions,
     preparationOptions[0],
+    Option{"json", "", REPORT_TEXT("report", "choices, remarks and questions as JSON on standard output")},
     Option{"keep-original", "", REPORT_TEXT("report", "keep the bytes of the files in the test file")},
     forceOption);
 
@@ -59,6 +63,9 @@ bool needsTest(const Imported &imported) {
 int runImport(const Invocation &invocation) {
     const QString output = neededOutput(invocation, "import", "-o OUT.palmer");
     requireOutput(invocation, output, {"palmer", "json"}); // test files are JSON
+    const bool asJson = invocation.has("json");
+    if (asJson && output == QLatin1StringView("-"))
+        refuse("json", output, "-o OUT.palmer");
     const ImportOptions chosen = chosenOptions(invocation);
     const bool keep = invocation.has("keep-original");
     if (!canReadTemplates(invocation))
@@ -70,22 +77,30 @@ int runImport(const Invocation &invocation) {
         Imported imported;
     };
     std::vector<Read> files;
+    std::vector<ImportAnswer> answers;
     int code = done;
     for (const QString &file : invocation.arguments) {
         const auto read = [&]() -> int {
             keepMemory(QFileInfo(file).size());
             const QByteArray bytes = bytesFrom(file);
             std::future<std::string> hash = hashOf(bytes);
-            auto imported = importedFrom(bytes, file, chosen, invocation);
-            if (!imported)
-                return cannotRead;
-            files.push_back({file, bytes, std::move(hash), std::move(*imported)});
+            Imported imported = importedFrom(bytes, file, chosen, invocation);
+            if (asJson)
+                answers.push_back({shownFileName(file), imported, invocation.has("accept")});
+            requireAnswers(imported, invocation);
+            files.push_back({file, bytes, std::move(hash), std::move(imported)});
             return done;
         };
         code = worse(code, codeOf(file, invocation.language, read));
     }
+    const auto answer = [&](int ended) {
+        if (asJson)
+            printOut(importJson(answers, ended == done ? shownFileName(output) : QString(),
+                                namesLanguage(invocation)));
+        return ended;
+    };
     if (code != done)
-        return code; // nothing incomplete is written
+        return answer(code); // nothing incomplete is written
     std::vector<std::string> without = files.empty()
                                            ? std::vector<std::string>() // for all files
                                            : choicesWithoutEffect(files.front().imported, invocation);
@@ -104,12 +119,12 @@ int runImport(const Invocation &invocation) {
             return done;
         };
         if (codeOf(read.file, invocation.language, add) != done)
-            return cannotRead;
+            return answer(cannotRead);
     }
-    return codeOf(output, invocation.language, [&]() -> int {
+    return answer(codeOf(output, invocation.language, [&]() -> int {
         writeOutput(bytesToSave(prepared(std::move(document), invocation)), output);
         return done;
-    });
+    }));
 }
 
 } // namespace

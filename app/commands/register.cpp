@@ -82,13 +82,13 @@ ScanOptions scanOptions(const Invocation &invocation) {
 }
 
 QByteArray json(const ScanResult &result) {
-    return jsonLine({{"files", result.files},
-                     {"read", result.read},
-                     {"unreadable", result.unreadable.size()},
-                     {"notFound", result.notFound},
-                     {"pruned", result.pruned},
-                     {"machines", result.machines},
-                     {"tests", result.tests}});
+    return jsonLine("scan", {{"files", result.files},
+                             {"read", result.read},
+                             {"unreadable", result.unreadable.size()},
+                             {"notFound", result.notFound},
+                             {"pruned", result.pruned},
+                             {"machines", result.machines},
+                             {"tests", result.tests}});
 }
 
 int report(const ScanResult &result, const Invocation &invocation) {

@@ -7,6 +7,7 @@
 #include "commandline/streams.h"
 #include "document/plannedtest.h"
 #include "document/writedocument.h"
+#include "export/answersjson.h"
 #include "export/partprogram.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/positioningcase.h"
@@ -60,6 +61,7 @@ constexpr std::array targetsOptions{
     Option{"o", "OUT",
            REPORT_TEXT("report", "the file to write: the plan as text, as .pdf or as .palmer to fill in; "
                                  "or the part program")},
+    Option{"json", "", REPORT_TEXT("report", "the plan as JSON; without -o on standard output")},
     forceOption,
 };
 
@@ -82,8 +84,7 @@ struct Begun {
     bool isOfFile = false;
 };
 
-/// Null if the file raised questions, which were printed.
-std::optional<Begun> begun(const Invocation &invocation) {
+Begun begun(const Invocation &invocation) {
     Begun result;
     if (invocation.arguments.isEmpty()) {
         if (invocation.has("test"))
@@ -92,10 +93,8 @@ std::optional<Begun> begun(const Invocation &invocation) {
     }
     if (invocation.arguments.size() > 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("targets")}});
-    const auto document = documentFrom(invocation.arguments.front(), invocation);
-    if (!document)
-        return std::nullopt;
-    const Test &test = *document->tests[testIndex(invocation, document->tests.size())];
+    const Document document = documentFrom(invocation.arguments.front(), invocation);
+    const Test &test = *document.tests[testIndex(invocation, document.tests.size())];
     if (kindOf(test) != Kind::positioning)
         throw UsageError({REPORT_TEXT("report", "only of a positioning test targets are planned"), {}});
     std::tie(result.request, result.program) = plannedFor(test);
@@ -213,15 +212,15 @@ std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation
     return files;
 }
 
-int runTargets(const Invocation &invocation) {
-    const QString output = neededOutput(invocation, "targets", "-o OUT");
-    auto base = begun(invocation);
-    if (!base)
-        return cannotRead;
+int writeTargets(const Invocation &invocation) {
+    const bool asJson = invocation.has("json");
+    const QString output = asJson ? invocation.value("o").value_or(QStringLiteral("-"))
+                                  : neededOutput(invocation, "targets", "-o OUT");
+    Begun base = begun(invocation);
     if (const Edition *asked = editionAsked(invocation, Kind::positioning))
-        base->edition = asked;
-    const double approach = number(invocation, "approach", 0).value_or(base->program.approach);
-    const auto plans = planMeasurements(request(invocation, *base, approach), interval(invocation, "zone"));
+        base.edition = asked;
+    const double approach = number(invocation, "approach", 0).value_or(base.program.approach);
+    const auto plans = planMeasurements(request(invocation, base, approach), interval(invocation, "zone"));
     const bool isEmpty = plans.empty() || plans.back().plan.targets.empty();
     if (isEmpty)
         throw UsageError(
@@ -232,12 +231,24 @@ int runTargets(const Invocation &invocation) {
     if (plans.size() == 1 && invocation.has("zone"))
         refuseEffect("--zone", "--travel > " + std::to_string(std::lround(longestShort(motion))));
     const CycleProgram cycle =
-        programOf(plans.front(), program(invocation, base->program, approach, plans.front().plan.runs));
-    for (const auto &[path, bytes] : filesOf(invocation, output, plans, cycle, *base->edition)) {
+        programOf(plans.front(), program(invocation, base.program, approach, plans.front().plan.runs));
+    if (asJson) {
+        if (invocation.has("program"))
+            throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
+                              {std::string("json"), std::string("program")}});
+        requireOutput(invocation, output, {"json"});
+        return written(invocation, {{targetsJson(plans, cycle, base.edition->word), output}});
+    }
+    for (const auto &[path, bytes] : filesOf(invocation, output, plans, cycle, *base.edition)) {
         if (const int code = written(invocation, {{bytes, path}}); code != done)
             return code;
     }
     return done;
+}
+
+int runTargets(const Invocation &invocation) {
+    return codeOf(invocation.arguments.value(0), invocation.language,
+                  [&] { return writeTargets(invocation); });
 }
 
 } // namespace

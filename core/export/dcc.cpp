@@ -8,6 +8,7 @@
 #include "document/visibletexts.h"
 #include "document/writedocument.h"
 #include "kernel/evaluation/conformity.h"
+#include "kernel/evaluation/coverage.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/words/shortest.h"
@@ -25,7 +26,6 @@ namespace palmer {
 
 namespace {
 
-constexpr double usualCoverage = 0.95; ///< of k = 2
 constexpr Text limitWord = REPORT_TEXT("report", "Limit");
 constexpr Text nameAndText = REPORT_TEXT("report", "%1: %2");
 
@@ -448,20 +448,15 @@ private:
             });
     }
 
-    /// U of a simulation is half of its 95.45 % interval; its factor is that of its own distribution.
     void writeUncertainty(const Parameter &parameter) {
-        if (!parameter.expandedUncertainty || !std::isfinite(*parameter.expandedUncertainty))
+        const auto coverage = coverageOfU(parameter);
+        if (!coverage || !std::isfinite(*parameter.expandedUncertainty))
             return;
-        const bool simulated = parameter.decidedBy == UncertaintyMethod::monteCarlo && parameter.simulated;
-        double factor = 2;
-        if (simulated && parameter.simulated->u > 0)
-            factor = std::max(1.0, *parameter.expandedUncertainty / parameter.simulated->u);
         within("si:expandedUnc", [&] {
             leaf("si:uncertainty",
                  Decimal(*parameter.expandedUncertainty, parameter.term.quantity).shortest());
-            leaf("si:coverageFactor", Decimal(factor).rounded(factor == 2 ? 0 : 4));
-            leaf("si:coverageProbability",
-                 Decimal(simulated ? coverageProbability : usualCoverage).shortest());
+            leaf("si:coverageFactor", Decimal(coverage->factor).rounded(coverage->factor == 2 ? 0 : 4));
+            leaf("si:coverageProbability", Decimal(coverage->probability).shortest());
         });
     }
 
@@ -521,7 +516,7 @@ private:
                 within("si:expandedUnc", [&] {
                     leaf("si:uncertainty", shortest(*uncertainty));
                     leaf("si:coverageFactor", std::string("2"));
-                    leaf("si:coverageProbability", Decimal(usualCoverage).shortest());
+                    leaf("si:coverageProbability", Decimal(Coverage{}.probability).shortest());
                 });
         });
     }

@@ -5,6 +5,7 @@
 #include "document/diagnosedtest.h"
 #include "document/filewords.h"
 #include "document/json.h"
+#include "document/jsonformats.h"
 #include "kernel/diagnosis/sourcewords.h"
 #include "kernel/measurement/conditions.h"
 
@@ -124,7 +125,9 @@ Json noiseJson(const SynthesizedNoise &noise) {
 }
 
 Json truthHead(const char *kind) {
-    return {{"format", "palmer truth"}, {"version", 1}, {"kind", kind}};
+    Json head = jsonHead("truth");
+    head["kind"] = kind;
+    return head;
 }
 
 QByteArray printed(const Json &json) {

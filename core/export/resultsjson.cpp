@@ -3,6 +3,7 @@
 #include "export/resultsjson.h"
 
 #include "document/json.h"
+#include "document/jsonformats.h"
 #include "document/resultwords.h"
 #include "export/diagnosisjson.h"
 #include "kernel/evaluation/resultsof.h"
@@ -24,8 +25,6 @@ namespace palmer {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int resultsVersion = 1;
 
 Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
@@ -263,16 +262,16 @@ Json sheetJson(const EvaluatedDocument &evaluated, const Language &language) {
 
 Json fileHead(const char *format, const Document &document, const QString &fileName) {
     const Machine &machine = document.machine;
-    return {{"format", format},
-            {"version", resultsVersion},
-            {"program", "Palmer " PALMER_VERSION},
-            {"file", fileName.toStdString()},
-            {"machine",
-             {{"name", textOrNull(machine.name)},
-              {"manufacturer", textOrNull(machine.manufacturer)},
-              {"model", textOrNull(machine.model)},
-              {"serialNumber", textOrNull(machine.serialNumber)}}},
-            {"reportNumber", textOrNull(document.report.number)}};
+    Json head = jsonHead(format);
+    head.update({{"program", "Palmer " PALMER_VERSION},
+                 {"file", fileName.toStdString()},
+                 {"machine",
+                  {{"name", textOrNull(machine.name)},
+                   {"manufacturer", textOrNull(machine.manufacturer)},
+                   {"model", textOrNull(machine.model)},
+                   {"serialNumber", textOrNull(machine.serialNumber)}}},
+                 {"reportNumber", textOrNull(document.report.number)}});
+    return head;
 }
 
 QByteArray printed(const Json &file, JsonForm form) {
@@ -284,7 +283,7 @@ QByteArray printed(const Json &file, JsonForm form) {
 QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileName, const Language &language,
                        JsonForm form) {
     const auto &tests = evaluated.tests;
-    const Json head = fileHead("palmer results", *evaluated.document, fileName);
+    const Json head = fileHead("results", *evaluated.document, fileName);
     Json rest = Json::object();
     if (!evaluated.document->report.sheet.empty())
         rest["sheet"] = sheetJson(evaluated, language);
@@ -313,7 +312,7 @@ QByteArray findingsJson(const EvaluatedDocument &evaluated, const QString &fileN
         test["findings"] = findings(evaluated.tests[i]->findings, language);
         tests.push_back(std::move(test));
     }
-    Json file = fileHead("palmer findings", *evaluated.document, fileName);
+    Json file = fileHead("findings", *evaluated.document, fileName);
     file["tests"] = std::move(tests);
     if (!evaluated.document->report.sheet.empty())
         file["sheet"] = sheetJson(evaluated, language);

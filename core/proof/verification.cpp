@@ -3,6 +3,7 @@
 #include "proof/verification.h"
 
 #include "document/json.h"
+#include "document/jsonformats.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int verificationVersion = 1;
 constexpr std::size_t mostLines = 200; ///< differences printed on a terminal
 
 Json differenceJson(const Difference &difference, const Language &language) {
@@ -144,19 +144,18 @@ QByteArray verificationJson(const Verification &verification, const QString &fil
     Json signatures = Json::array();
     for (const SignatureStatement &signature : verification.signatures)
         signatures.push_back(signatureJson(signature));
-    const Json file{{"format", "palmer verification"},
-                    {"version", verificationVersion},
-                    {"file", fileName.toStdString()},
-                    {"follows", verification.follows()},
-                    {"identical", verification.identical},
-                    {"appended", verification.appended},
-                    {"madeBy", verification.madeBy.toStdString()},
-                    {"otherVersion", verification.otherVersion},
-                    {"fingerprint", verification.fingerprint.toStdString()},
-                    {"fingerprintPrinted", verification.fingerprintPrinted},
-                    {"differences", list(verification.differences)},
-                    {"wording", list(verification.wording)},
-                    {"signatures", std::move(signatures)}};
+    Json file = jsonHead("verification");
+    file.update({{"file", fileName.toStdString()},
+                 {"follows", verification.follows()},
+                 {"identical", verification.identical},
+                 {"appended", verification.appended},
+                 {"madeBy", verification.madeBy.toStdString()},
+                 {"otherVersion", verification.otherVersion},
+                 {"fingerprint", verification.fingerprint.toStdString()},
+                 {"fingerprintPrinted", verification.fingerprintPrinted},
+                 {"differences", list(verification.differences)},
+                 {"wording", list(verification.wording)},
+                 {"signatures", std::move(signatures)}});
     return QByteArray::fromStdString(oneLine ? compactJson(file) + '\n' : printJson(file));
 }
 

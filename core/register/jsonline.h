@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/json.h"
+#include "document/jsonformats.h"
 
 #include <QByteArray>
 #include <cmath>
@@ -25,9 +26,11 @@ using Json = nlohmann::ordered_json;
     return number && std::isfinite(*number) ? Json(*number) : Json();
 }
 
-/// Returns an object on a line of its own.
-[[nodiscard]] inline QByteArray jsonLine(const Json &object) {
-    return QByteArray::fromStdString(compactJson(object)) + '\n';
+/// Returns an object of a format (jsonformats.h) on a line of its own.
+[[nodiscard]] inline QByteArray jsonLine(std::string_view format, const Json &object) {
+    Json whole = jsonHead(format);
+    whole.update(object);
+    return QByteArray::fromStdString(compactJson(whole)) + '\n';
 }
 
 } // namespace palmer

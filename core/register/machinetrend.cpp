@@ -161,18 +161,11 @@ private:
         entry.test = listed.places.empty() ? 1 : listed.places.front().test;
         entry.digest = test.digest;
         entry.stretch = stretch;
-        m_parts.emplace(test.digest, test.parts);
-        series->entries.push_back(std::move(entry));
-    }
-
-    [[nodiscard]] TrendPoint pointOf(const TrendEntry &entry) const {
-        TrendPoint point{entry.time, *entry.result.value, entry.result.own, {}};
-        const std::vector<SharedPart> &parts = m_parts.at(entry.digest);
-        for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t i = 0; i < test.parts.size(); ++i) {
             if ((entry.result.shared >> i & 1U) != 0)
-                point.shared.push_back({parts[i].source, parts[i].u * entry.result.sharedFactor});
+                entry.shared.push_back({test.parts[i].source, test.parts[i].u * entry.result.sharedFactor});
         }
-        return point;
+        series->entries.push_back(std::move(entry));
     }
 
     void fit(const TrendSeries &series) {
@@ -183,7 +176,7 @@ private:
                 continue;
             if (points.empty())
                 m_trend.since = entry.date;
-            points.push_back(pointOf(entry));
+            points.push_back({entry.time, *entry.result.value, entry.result.own, entry.shared});
             m_trend.withoutParts = m_trend.withoutParts || entry.result.withoutParts;
         }
         m_trend.count = points.size();
@@ -205,7 +198,6 @@ private:
     }
 
     std::vector<ListedTest> m_dated;
-    std::map<QString, std::vector<SharedPart>> m_parts;
     MachineTrend m_trend;
 };
 

@@ -16,9 +16,10 @@ namespace palmer {
 
 /// A value of the chosen parameter in a test.
 struct TrendEntry {
-    std::string date;        ///< YYYY-MM-DD
-    double time = 0;         ///< years
-    RegisteredResult result; ///< its value is never null
+    std::string date;               ///< YYYY-MM-DD
+    double time = 0;                ///< years
+    RegisteredResult result;        ///< its value is never null
+    std::vector<SharedPart> shared; ///< of its U/k, besides `result.own`
     TestRole role = TestRole::notStated;
     Purpose purpose = Purpose::notStated;
     Rule rule = Rule::simpleAcceptance;

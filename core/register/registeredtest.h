@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "kernel/evaluation/coverage.h"
 #include "kernel/trend/trendline.h"
 
 #include <QByteArray>
@@ -29,6 +30,13 @@ struct RegisteredResult {
     unsigned shared = 0;                    ///< parts of the test included in U: bit i is part i
     double sharedFactor = 1;                ///< factor of those parts
     bool withoutParts = false; ///< U has no separate parts: all of it is treated as shared by the instrument
+
+    /// Probability covered by U; null without U.
+    [[nodiscard]] std::optional<double> coverageProbability() const {
+        if (!expandedUncertainty)
+            return {};
+        return k ? Coverage{}.probability : palmer::coverageProbability;
+    }
 
     bool operator==(const RegisteredResult &) const = default;
 };

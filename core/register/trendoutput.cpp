@@ -249,15 +249,23 @@ Json lineJson(const MachineTrend &trend) {
 
 Json seriesJson(const TrendSeries &series) {
     Json points = Json::array();
-    for (const TrendEntry &entry : series.entries)
+    for (const TrendEntry &entry : series.entries) {
+        Json shared = Json::array();
+        for (const SharedPart &part : entry.shared)
+            shared.push_back({{"source", part.source}, {"u", part.u}});
         points.push_back({{"date", entry.date},
                           {"value", orNull(entry.result.value)},
                           {"U", orNull(entry.result.expandedUncertainty)},
+                          {"k", orNull(entry.result.k)},
+                          {"coverageProbability", orNull(entry.result.coverageProbability())},
+                          {"uOwn", entry.result.expandedUncertainty ? Json(entry.result.own) : Json()},
+                          {"uShared", shared},
                           {"limit", orNull(entry.result.limit)},
                           {"role", fileWord(entry.role)},
                           {"purpose", fileWord(entry.purpose)},
                           {"file", entry.file.toStdString()},
                           {"test", entry.test}});
+    }
     return {{"edition", orNull(series.edition)},
             {"feed", orNull(series.feed)},
             {"travel", orNull(series.travel)},
@@ -279,13 +287,13 @@ QByteArray trendJson(const ListedMachine &machine, const std::string &axis, cons
                    {"manufacturer", orNull(machine.manufacturer.toStdString())},
                    {"model", orNull(machine.model.toStdString())},
                    {"serialNumber", orNull(machine.serialNumber.toStdString())}};
-    return jsonLine({{"machine", who},
-                     {"axis", axis},
-                     {"parameter", trend.parameter},
-                     {"unit", trend.angular ? "deg" : "mm"},
-                     {"series", series},
-                     {"interventions", interventions},
-                     {"line", trend.line ? lineJson(trend) : Json()}});
+    return jsonLine("trend", {{"machine", who},
+                              {"axis", axis},
+                              {"parameter", trend.parameter},
+                              {"unit", trend.angular ? "deg" : "mm"},
+                              {"series", series},
+                              {"interventions", interventions},
+                              {"line", trend.line ? lineJson(trend) : Json()}});
 }
 
 QByteArray trendCsv(const ListedMachine &machine, const std::string &axis,

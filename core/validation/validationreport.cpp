@@ -4,6 +4,7 @@
 
 #include "document/filewords.h"
 #include "document/json.h"
+#include "document/jsonformats.h"
 #include "document/sha256.h"
 
 #include <QCoreApplication>
@@ -228,7 +229,7 @@ Report composeValidationDocument(const std::vector<SetValidation> &sets, const L
 
 QByteArray validationJson(const std::vector<SetValidation> &sets) {
     using Json = nlohmann::ordered_json;
-    Json result{{"format", "palmer validation"}, {"version", 1}};
+    Json result = jsonHead("selftest");
     const Language english(Language::Id::english);
     for (const KeyValue &fact : buildIn(english).rows)
         result["build"][fact.key.toStdString()] = fact.value.toStdString();

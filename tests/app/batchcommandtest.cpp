@@ -61,7 +61,6 @@ private slots:
     void theTableHasARowPerParameter();
     void theTableForTheEyeIsAligned();
     void findingsAsJson();
-    void resultsFollowTheirSchema();
     void reportsGoIntoAFolder();
     void reportsNeverShareAFile();
     void figuresGoIntoAFolder();
@@ -242,36 +241,6 @@ void BatchCommandTest::findingsAsJson() {
     QVERIFY(!test["findings"].toArray().isEmpty());
     QCOMPARE(test["accordance"], whole["accordance"]);
     QVERIFY(!test.contains("parameters"));
-}
-
-void BatchCommandTest::resultsFollowTheirSchema() {
-    const QStringList files{examples, QStringLiteral(SOURCE "/tests/data/complete.palmer"),
-                            QStringLiteral(SOURCE "/tests/data/report")}; // all kinds
-    const QStringList two{at("in/b.palmer"), at("in/below/c.palmer")};
-    QByteArray results = runCli(QStringList{"evaluate", "--json"} + files).out;
-    results += runCli(QStringList{"evaluate", "--json", "--edition", "1988"} + files).out;
-    results += runCli(QStringList{"check", "--json"} + files).out;
-    results +=
-        runCli(QStringList{"evaluate", "--json", "--uncertainty", "monteCarlo", "--trials", "300000"} + two)
-            .out;
-    const qsizetype good = results.count('\n');
-    QVERIFY(good > 60);
-    QVERIFY(results.contains("\"drift\""));
-    QVERIFY(results.contains("\"trials\": 300000") || results.contains("\"trials\":300000"));
-    QByteArray bad = lines(results).first();
-    results += bad.replace("\"limits\"", "\"limit\"") + '\n'; // a key that nobody knows
-    write(at("results.jsonl"), results);
-    QProcess validator;
-    validator.start("/usr/bin/python3",
-                    {QStringLiteral(SOURCE "/tests/core/document/validate.py"),
-                     QStringLiteral(SOURCE "/resources/schema/palmer-results-1.schema.json"),
-                     at("results.jsonl")});
-    QVERIFY(validator.waitForFinished(1'200'000));
-    const QList<QByteArray> valid = lines(validator.readAllStandardOutput());
-    QCOMPARE(valid.size(), good + 1);
-    for (qsizetype i = 0; i < good; ++i)
-        QVERIFY2(valid[i] == "1", lines(results)[i].left(300));
-    QCOMPARE(valid.last(), QByteArray("0"));
 }
 
 void BatchCommandTest::reportsGoIntoAFolder() {

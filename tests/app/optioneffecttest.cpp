@@ -156,6 +156,7 @@ std::vector<Base> OptionEffectTest::bases() const {
         {"targets to fill in", {"targets", "--travel", "800", "-o", "OUT/t.palmer"}},
         {"part program",
          {"targets", "--travel", "800", "--period", "20", "--program", "iso", "-o", "OUT/t.nc"}},
+        {"schema", {"schema", "results"}},
         {"feed", {"feed", "--specified-diameter", "100", "--specified-feed", "500", "--diameter", "125"}},
         {"synthesize circles", {"synthesize", "circular", "-o", "OUT/s.palmer"}},
         {"synthesize noisy circles", {"synthesize", "circular", "--noise", "0.1", "-o", "OUT/s.palmer"}},

@@ -3,6 +3,7 @@
 #include "report/tables/resultcolumns.h"
 
 #include "document/resultwords.h"
+#include "kernel/evaluation/coverage.h"
 #include "report/words/formula.h"
 #include "report/words/wording.h"
 
@@ -93,6 +94,14 @@ constexpr std::array columnRows{
     ResultColumn{"expandedUncertainty", "U", REPORT_TEXT("report", "U"), ResultLook::number, forPeople | forPrograms,
         [](const ShownResult &s) { return s.result.uncertainty; },
         [](const ToldResult &t) { return numberOrNull(t.parameter.expandedUncertainty); }, 14.2, 13.5},
+    ResultColumn{"coverageFactor", "", {}, ResultLook::number, inJson, nullptr,
+        [](const ToldResult &t) { const auto c = coverageOfU(t.parameter); return c ? Json(c->factor) : Json(nullptr); }},
+    ResultColumn{"coverageProbability", "", {}, ResultLook::number, inJson, nullptr,
+        [](const ToldResult &t) { const auto c = coverageOfU(t.parameter); return c ? Json(c->probability) : Json(nullptr); }},
+    ResultColumn{"budgetUncertainty", "", {}, ResultLook::number, inJson, nullptr,
+        [](const ToldResult &t) { return numberOrNull(t.parameter.budgetUncertainty); }},
+    ResultColumn{"budgetActualUncertainty", "", {}, ResultLook::number, inJson, nullptr,
+        [](const ToldResult &t) { return numberOrNull(t.parameter.actualUncertainty); }},
     ResultColumn{"", "coverage of U", {}, ResultLook::text, inCsv, nullptr, coverage},
     ResultColumn{"change", "", REPORT_TEXT("report", "Change"), ResultLook::number, inWindow | onClipboard,
         [](const ShownResult &s) { return s.change; }, nullptr, 0, 0, true},

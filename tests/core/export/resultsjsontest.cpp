@@ -74,7 +74,8 @@ void ResultsJsonTest::hasTheKeysOfTheFormat() {
                      "parameters",  "plane",        "purpose", "role",           "targets", "title",
                      "uncertainty", "undeclared",   "unmet",   "verdict",        "view",    "zone"}));
     QCOMPARE(parameter(test, "A").keys(),
-             QStringList({"clause", "expandedUncertainty", "guardBand", "id", "limit", "limitOf",
+             QStringList({"budgetActualUncertainty", "budgetUncertainty", "clause", "coverageFactor",
+                          "coverageProbability", "expandedUncertainty", "guardBand", "id", "limit", "limitOf",
                           "monteCarlo", "name", "quantity", "ruling", "symbol", "unit", "value", "verdict"}));
     QCOMPARE(test["targets"][0].toObject().keys(),
              QStringList({"lowerNegative", "lowerPositive", "mean", "meanNegative", "meanPositive",
