@@ -40,6 +40,8 @@ constexpr Layer layers[]{
     {"core/kernel/simulation", "kernel/numerics kernel/measurement kernel/uncertainty kernel/evaluation"},
     {"core/kernel/diagnosis",
      "kernel/words kernel/numerics kernel/measurement kernel/evaluation kernel/simulation"},
+    {"core/kernel/comparison",
+     "kernel/numerics kernel/measurement kernel/uncertainty kernel/evaluation kernel/simulation"},
     {"core/kernel/trend", "kernel/numerics"},
     {"core/language", "kernel/words kernel/measurement"},
     {"core/document", "kernel language"},
