@@ -9625,5 +9625,29 @@
         <comment>measured, tolerance</comment>
         <translation>%1 pour %2</translation>
     </message>
+    <message>
+        <source>this text is too long</source>
+        <translation>ce texte est trop long</translation>
+    </message>
+    <message>
+        <source>a tolerance is not negative; two values, the least and the largest, are a range</source>
+        <translation>une tolérance n’est pas négative ; deux valeurs, la plus petite et la plus grande, font un intervalle</translation>
+    </message>
+    <message>
+        <source>the test gives it; remove the row to type its numbers</source>
+        <translation>l’essai la fournit ; supprimer la ligne pour saisir ses nombres</translation>
+    </message>
+    <message>
+        <source>another row has this number</source>
+        <translation>une autre ligne porte ce numéro</translation>
+    </message>
+    <message>
+        <source>an uncertainty is not negative</source>
+        <translation>une incertitude n’est pas négative</translation>
+    </message>
+    <message>
+        <source>line %1 of what was pasted: “%2” cannot stand in this column</source>
+        <translation>ligne %1 du bloc collé : « %2 » ne peut pas figurer dans cette colonne</translation>
+    </message>
 </context>
 </TS>

@@ -319,6 +319,22 @@
         <source>confirm the sign of the deviations</source>
         <translation>confirmer le signe des écarts</translation>
     </message>
+    <message>
+        <source>change the acceptance sheet</source>
+        <translation>modification de la fiche de réception</translation>
+    </message>
+    <message>
+        <source>paste rows</source>
+        <translation>collage de lignes</translation>
+    </message>
+    <message>
+        <source>add a row</source>
+        <translation>ajout d’une ligne</translation>
+    </message>
+    <message>
+        <source>remove rows</source>
+        <translation>suppression de lignes</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -5522,6 +5538,59 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>%1 circle</source>
         <translation>Cercle %1</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::SheetModel</name>
+    <message>
+        <source>Link</source>
+        <translation>Lien</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::SheetPage</name>
+    <message>
+        <source>ISO 14253-1: conformity is to be proven</source>
+        <translation>ISO 14253-1 : conformité à prouver</translation>
+    </message>
+    <message>
+        <source>non-conformity is to be proven</source>
+        <translation>non-conformité à prouver</translation>
+    </message>
+    <message>
+        <source>Guard band, times U</source>
+        <translation>Facteur de bande de garde (× U)</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Contrôles</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Add a row</source>
+        <translation>Ajouter une ligne</translation>
+    </message>
+    <message>
+        <source>Remove rows</source>
+        <translation>Supprimer les lignes</translation>
+    </message>
+    <message>
+        <source>Take from a test…</source>
+        <translation>Reprendre d’un essai…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) pasted</source>
+        <translation>
+            <numerusform>%n ligne collée</numerusform>
+            <numerusform>%n lignes collées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was checked beside the tests yet. Type into the empty row, or paste a table with number, object, tolerance, measured value, U and unit.</source>
+        <translation>Rien n’a encore été contrôlé en plus des essais. Saisir dans la ligne vide, ou coller un tableau avec numéro, objet, tolérance, valeur mesurée, U et unité.</translation>
     </message>
 </context>
 </TS>

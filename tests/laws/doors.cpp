@@ -8,12 +8,14 @@
 #include "core/import/layouts/workshoptable.h"
 #include "core/import/storedworkbook.h"
 #include "document/documenterror.h"
+#include "document/evaluateddocument.h"
 #include "document/setfield.h"
 #include "document/templatefile.h"
 #include "editing/arctable.h"
 #include "editing/driftreadings.h"
 #include "editing/limitblock.h"
 #include "editing/readingblock.h"
+#include "editing/sheetblock.h"
 #include "editing/typedreading.h"
 #include "import/importmeasurement.h"
 #include "kernel/evaluation/edition.h"
@@ -264,6 +266,61 @@ void followLimits(Follower &follower, std::mt19937 &random) {
                      }));
 }
 
+/// Rows of an acceptance sheet: what a spreadsheet, a browser and a word processor copy is what the file
+/// says.
+void followSheet(Follower &follower, std::mt19937 &random) {
+    const char mark = random() % 2 == 0 ? '.' : ',';
+    const bool isHeaded = random() % 2 == 0;
+    std::vector<QStringList> rows;
+    if (isHeaded)
+        rows.push_back({"No.", "Object", "Tolerance", "Measured", "U", "Unit"});
+    Document document;
+    const auto count = static_cast<int>(1 + random() % 6);
+    for (int i = 0; i < count; ++i) {
+        const auto number = [&](int most) {
+            return QString::number(static_cast<double>(random() % static_cast<unsigned>(most)) / 1000, 'f',
+                                   3);
+        };
+        const QStringList cells{QString("G%1").arg(i + 1),
+                                QString("check %1 of the table").arg(i),
+                                number(50),
+                                random() % 4 == 0 ? QString() : number(40),
+                                number(9),
+                                "mm"};
+        const std::string place = "report.sheet[" + std::to_string(i) + "].";
+        constexpr std::array keys{"number", "object", "permitted", "measured", "uncertainty", "unit"};
+        QStringList copied;
+        for (qsizetype k = 0; k < cells.size(); ++k) {
+            if (!cells[k].isEmpty())
+                document =
+                    withField(document, place + keys.at(static_cast<std::size_t>(k)), cells[k].toStdString());
+            copied << (k >= 2 && k <= 4 ? QString(cells[k]).replace('.', QLatin1Char(mark)) : cells[k]);
+        }
+        rows.push_back(copied);
+    }
+    const auto listed = [](const std::vector<SheetRow> &sheet) {
+        QStringList texts;
+        for (const SheetRow &row : sheet)
+            texts << QString("%1 %2 %3 %4 %5 %6")
+                         .arg(QString::fromStdString(row.number), QString::fromStdString(row.object))
+                         .arg(row.permitted.high.value_or(-1))
+                         .arg(row.measured.value_or(-1))
+                         .arg(row.uncertainty.value_or(-1))
+                         .arg(QString::fromStdString(row.unit));
+        return Outcome{texts.join('\n'), {}, false};
+    };
+    QStringList lines;
+    for (const QStringList &row : rows)
+        lines << row.join('\t');
+    follower.begin(lines.join('\n'), listed(document.report.sheet));
+    for (const auto &[door, text] : {std::pair("sheet", lines.join('\n')),
+                                     std::pair("sheet as HTML", copiedAs("text/html", htmlOf(rows).toUtf8())),
+                                     std::pair("sheet as RTF", copiedAs("text/rtf", rtfOf(rows)))})
+        follower.compare(door, outcomeOf([&, &text = text] {
+                             return listed(pasteSheet({}, 0, SheetColumn::number, text).sheet);
+                         }));
+}
+
 void followDrift(Follower &follower, std::mt19937 &random) {
     struct Units {
         const char *time;
@@ -357,6 +414,7 @@ DoorCounts followDoors(int tables, std::uint64_t seed,
         followDrift(follower, random);
         followArcs(follower, random);
         followLimits(follower, random);
+        followSheet(follower, random);
     }
     return counts;
 }

@@ -4,6 +4,7 @@
 
 #include "ui/forms/equipmentpages.h"
 #include "ui/forms/identificationpage.h"
+#include "ui/forms/sheetpage.h"
 #include "ui/windowlanguage.h"
 
 namespace palmer::ui {
@@ -44,6 +45,8 @@ Form *ReportPages::make(Page page) {
         return new MachinePage(m_model, m_selection, this);
     case Page::instruments:
         return new InstrumentsPage(m_model, m_selection, this);
+    case Page::sheet:
+        return new SheetPage(m_model, this);
     default:
         return new IdentificationPage(m_model, m_selection, this);
     }

@@ -9,11 +9,12 @@
 
 namespace palmer::ui {
 
-/// The pages in the middle of the window: the first three belong to the report, the others to a test.
+/// The pages in the middle of the window: the first four belong to the report, the others to a test.
 enum class Page {
     identification,
     machine,
     instruments,
+    sheet, ///< the acceptance sheet
     readings,
     conditions,
     agreedPoints,

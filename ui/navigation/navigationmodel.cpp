@@ -43,6 +43,12 @@ std::vector<NavigationRow> NavigationModel::rows() const {
             most = std::max(most, countMissing(m_evaluated, test, page));
         return most;
     };
+    const auto openRows = [this] {
+        const std::vector<SheetResult> rows = m_evaluated.sheet();
+        return static_cast<int>(std::ranges::count_if(rows, [](const SheetResult &row) {
+            return row.state != SheetState::conforms && row.state != SheetState::notApplicable;
+        }));
+    };
     const auto page = [&](const QString &name, const QString &icon, Page which) {
         NavigationRow row;
         row.name = name;
@@ -60,6 +66,9 @@ std::vector<NavigationRow> NavigationModel::rows() const {
     result.push_back(page(tr("Identification"), QStringLiteral("doc"), Page::identification));
     result.push_back(page(tr("Machine"), QStringLiteral("machine"), Page::machine));
     result.push_back(page(tr("Instruments"), QStringLiteral("laser"), Page::instruments));
+    result.push_back(page(windowLanguage().text(REPORT_TEXT("report", "Acceptance sheet")),
+                          QStringLiteral("check"), Page::sheet));
+    result.back().count = openRows();
     result.push_back(head(tr("Tests")));
     for (std::size_t i = 0; i < m_evaluated.document->tests.size(); ++i) {
         const Test &test = *m_evaluated.document->tests[i];

@@ -182,7 +182,8 @@ std::optional<Page> pageOfContext(const QString &context) {
         {QStringLiteral("palmer::ui::UncertaintyPage"), Page::uncertainty},
         {QStringLiteral("palmer::ui::IdentificationPage"), Page::identification},
         {QStringLiteral("palmer::ui::MachinePage"), Page::machine},
-        {QStringLiteral("palmer::ui::InstrumentsPage"), Page::instruments}};
+        {QStringLiteral("palmer::ui::InstrumentsPage"), Page::instruments},
+        {QStringLiteral("palmer::ui::SheetPage"), Page::sheet}};
     const auto found = pages.find(context);
     return found == pages.end() ? std::nullopt : std::optional(found->second);
 }
@@ -566,6 +567,7 @@ void Workplace::presentPage() {
         m_navigation->setCurrentRow(row);
     }
     m_findings->setPage(page);
+    m_right->setVisible(page != Page::sheet); // whose rows need the width, and are no test's
     presentCard();
 }
 

@@ -36,6 +36,9 @@ namespace palmer {
 /// "met", "not measured".
 [[nodiscard]] Text sheetStateText(SheetState state);
 
+/// The guard picture of a row; blank without a verdict, or if a range is permitted.
+[[nodiscard]] Cell sheetPicture(const SheetResult &result);
+
 /// What the row of a sheet prints: its own numbers as entered, those of a result as in its test.
 struct SheetWords {
     QString permitted;

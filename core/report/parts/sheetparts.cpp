@@ -70,17 +70,6 @@ Mark markOf(SheetState state) {
                    {Mark::check, Mark::openCircle, Mark::cross, Mark::warning, Mark::none, Mark::none});
 }
 
-Cell pictureCell(const SheetResult &result) {
-    Cell cell = blankCell();
-    const std::optional<double> limit = result.permitted.low ? std::nullopt : result.permitted.high;
-    if (!result.value || !limit || !(*limit > 0) || !verdictOfRow(result))
-        return cell;
-    const Bound bound = result.parameter ? result.parameter->bound : Bound::magnitude;
-    cell.blank = false;
-    cell.guard = Guard{*limit, judgedValue(*result.value, bound), result.guardBand};
-    return cell;
-}
-
 /// "test 2", of those with a page.
 QString testWord(const Writer &write, const std::vector<TestPart> &parts, const SheetResult &result,
                  const SheetSource &source) {
@@ -138,6 +127,17 @@ Text sheetStateText(SheetState state) {
     return state == SheetState::notMeasured ? REPORT_TEXT_FOR("report", "not measured", "a row of the sheet")
            : state == SheetState::noLimit   ? REPORT_TEXT("report", "no tolerance")
                                           : REPORT_TEXT_FOR("report", "not applicable", "a row of the sheet");
+}
+
+Cell sheetPicture(const SheetResult &result) {
+    Cell cell = blankCell();
+    const std::optional<double> limit = result.permitted.low ? std::nullopt : result.permitted.high;
+    if (!result.value || !limit || !(*limit > 0) || !verdictOfRow(result))
+        return cell;
+    const Bound bound = result.parameter ? result.parameter->bound : Bound::magnitude;
+    cell.blank = false;
+    cell.guard = Guard{*limit, judgedValue(*result.value, bound), result.guardBand};
+    return cell;
 }
 
 SheetWords sheetWords(const EvaluatedDocument &evaluated, const std::vector<TestPart> &parts,
@@ -211,7 +211,7 @@ Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart>
             {boldCell(QString::fromStdString(nameOf(row, i))), object, words.permitted, boldCell(words.value),
              words.uncertainty, words.unit.isEmpty() ? blankCell() : Cell(words.unit),
              row.instrument.empty() ? blankCell() : Cell(QString::fromStdString(row.instrument)),
-             pictureCell(result), verdict});
+             sheetPicture(result), verdict});
         const auto part =
             std::ranges::find(parts, result.test, [](const TestPart &p) { return std::optional(p.index); });
         table.links.push_back(part == parts.end() ? QString() : part->headAnchor());

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editing/sheetblock.h"
+
+#include "document/bounds.h"
+#include "language/entry.h"
+#include "tables/contenterror.h"
+#include "tables/table.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr Text tooLong = REPORT_TEXT("report", "this text is too long");
+constexpr Text noNumber = REPORT_TEXT("report", "not a number");
+
+/// Words of headings, without capitals and signs.
+struct Heading {
+    SheetColumn column;
+    std::array<const char16_t *, 6> words;
+};
+constexpr std::array headings{
+    Heading{SheetColumn::number, {u"n", u"no", u"nr", u"number", u"numéro", u"row"}},
+    Heading{SheetColumn::object, {u"object", u"objet", u"check", u"contrôle", u"prüfung", u"description"}},
+    Heading{SheetColumn::permitted,
+            {u"tolerance", u"tolérance", u"permitted", u"limit", u"limite", u"toleranz"}},
+    Heading{SheetColumn::measured, {u"measured", u"mesuré", u"mesurée", u"value", u"valeur", u"messwert"}},
+    Heading{SheetColumn::uncertainty, {u"u", u"uk2", u"uncertainty", u"incertitude", u"unsicherheit", u"uu"}},
+    Heading{SheetColumn::unit, {u"unit", u"unité", u"einheit", u"units", u"unités", u"dimension"}},
+    Heading{SheetColumn::instrument,
+            {u"instrument", u"instruments", u"device", u"appareil", u"messmittel", u"moyen"}},
+    Heading{SheetColumn::remark, {u"remark", u"remarque", u"remarks", u"remarques", u"note", u"bemerkung"}},
+    Heading{SheetColumn::standard, {u"standard", u"norme", u"norm", u"source", u"origine", u"clause"}}};
+
+std::optional<SheetColumn> columnNamed(const QString &cell) {
+    static const QRegularExpression signs(QStringLiteral("[^\\p{L}\\p{N}]"));
+    const QString word = cell.toLower().remove(signs);
+    for (const Heading &heading : headings) {
+        if (std::ranges::any_of(heading.words,
+                                [&](const char16_t *known) { return word == QStringView(known); }))
+            return heading.column;
+    }
+    return std::nullopt;
+}
+
+std::optional<Text> putNumber(std::optional<double> &value, const QString &typed) {
+    const NumberEntry entry = enteredNumber(typed, Quantity::number);
+    if (entry.refusal)
+        return entry.refusal;
+    value = entry.value;
+    return std::nullopt;
+}
+
+std::optional<Text> putPermitted(Permitted &permitted, QString typed) {
+    static const QRegularExpression signs(QStringLiteral("^(±|≤|<=|\\+/-)\\s*"));
+    typed.remove(signs);
+    if (typed.isEmpty()) {
+        permitted = {};
+        return std::nullopt;
+    }
+    Permitted result;
+    if (!putNumber(result.high, typed)) {
+        if (*result.high < 0)
+            return REPORT_TEXT("report",
+                               "a tolerance is not negative; two values, the least and the largest, are a "
+                               "range");
+        permitted = result;
+        return std::nullopt;
+    }
+    const IntervalEntry range = enteredInterval(typed, Quantity::number);
+    if (!range.value)
+        return noNumber;
+    permitted = {range.value->from, range.value->to};
+    return std::nullopt;
+}
+
+std::string *textOf(SheetRow &row, SheetColumn column) {
+    switch (column) {
+    case SheetColumn::number:
+        return &row.number;
+    case SheetColumn::object:
+        return &row.object;
+    case SheetColumn::unit:
+        return &row.unit;
+    case SheetColumn::instrument:
+        return &row.instrument;
+    case SheetColumn::remark:
+        return &row.remark;
+    case SheetColumn::standard:
+        return &row.standard;
+    case SheetColumn::permitted:
+    case SheetColumn::measured:
+    case SheetColumn::uncertainty:
+        break;
+    }
+    return nullptr;
+}
+
+/// A row that is taken from a test has no numbers of its own.
+bool isOfTest(SheetColumn column) {
+    return column >= SheetColumn::permitted && column <= SheetColumn::unit;
+}
+
+QStringList cellsOf(const CellTable &table, const TableRow &row) {
+    QStringList cells;
+    for (const TableCell &cell : table.cells(row))
+        cells << QString::fromUtf8(table.text(cell)).trimmed();
+    return cells;
+}
+
+/// Numbers as the decimal mark of the block has them; signs for "no reading" are none.
+QString numberText(const QString &cell, DecimalMark mark) {
+    const CellValue read = readCell(cell.toStdString(), mark);
+    return read.kind == CellKind::missing ? QString() : cell;
+}
+
+} // namespace
+
+std::optional<Text> typeIntoSheet(std::vector<SheetRow> &rows, std::size_t row, SheetColumn column,
+                                  const QString &typed) {
+    const QString text = typed.trimmed();
+    if (row >= rows.size()) {
+        if (text.isEmpty())
+            return std::nullopt;
+        std::vector<SheetRow> more = rows;
+        more.resize(row + 1);
+        const auto refused = typeIntoSheet(more, row, column, typed);
+        if (!refused)
+            rows = std::move(more);
+        return refused;
+    }
+    SheetRow &changed = rows[row];
+    if (changed.from && isOfTest(column))
+        return REPORT_TEXT("report", "the test gives it; remove the row to type its numbers");
+    if (std::string *member = textOf(changed, column)) {
+        if (lengthOf(text) > mostOfLine)
+            return tooLong;
+        const std::string wanted = text.toStdString();
+        const bool isTaken = std::ranges::any_of(
+            rows, [&](const SheetRow &other) { return &other != &changed && other.number == wanted; });
+        if (column == SheetColumn::number && !wanted.empty() && isTaken)
+            return REPORT_TEXT("report", "another row has this number");
+        *member = wanted;
+        return std::nullopt;
+    }
+    if (column == SheetColumn::permitted)
+        return putPermitted(changed.permitted, text);
+    if (column == SheetColumn::measured)
+        return putNumber(changed.measured, text);
+    std::optional<double> uncertainty;
+    if (const auto refused = putNumber(uncertainty, QString(text).remove(u'±')))
+        return refused;
+    if (uncertainty && *uncertainty < 0)
+        return REPORT_TEXT("report", "an uncertainty is not negative");
+    changed.uncertainty = uncertainty;
+    return std::nullopt;
+}
+
+PastedSheet pasteSheet(std::vector<SheetRow> rows, std::size_t first, SheetColumn column,
+                       const QString &block, const ImportOptions &answers) {
+    TableOptions options;
+    options.comments = false;
+    for (const auto &[sign, delimiter] :
+         {std::pair(u'\t', Delimiter::tab), std::pair(u';', Delimiter::semicolon)}) {
+        if (!options.delimiter && block.contains(sign))
+            options.delimiter = delimiter; // an object has blanks and commas
+    }
+    if (const auto answer = answers.find("decimalMark"); answer != answers.end())
+        options.decimalMark = answer->second == "comma" ? DecimalMark::comma : DecimalMark::point;
+    const CellTable table = readTable(block.toStdString(), options);
+    PastedSheet result;
+    std::vector<std::optional<SheetColumn>> columns;
+    bool any = false;
+    for (const TableRow &row : table.rows()) {
+        const QStringList cells = cellsOf(table, row);
+        if (!any && columns.empty()) {
+            for (const QString &cell : cells)
+                columns.push_back(columnNamed(cell));
+            if (std::ranges::count_if(columns, [](const auto &named) { return named.has_value(); }) >= 2)
+                continue;
+            columns.clear();
+            for (int k = static_cast<int>(column); k < sheetColumns; ++k)
+                columns.emplace_back(static_cast<SheetColumn>(k));
+        }
+        any = true;
+        std::size_t place = first + result.taken;
+        const auto number = std::ranges::find(columns, std::optional(SheetColumn::number)) - columns.begin();
+        if (number < cells.size()) {
+            const auto same = std::ranges::find(rows, cells[number].toStdString(), &SheetRow::number);
+            place = cells[number].isEmpty() || same == rows.end()
+                        ? rows.size()
+                        : static_cast<std::size_t>(same - rows.begin());
+        }
+        for (qsizetype k = 0; k < cells.size() && k < static_cast<qsizetype>(columns.size()); ++k) {
+            const auto &named = columns[static_cast<std::size_t>(k)];
+            if (!named)
+                continue;
+            const bool isNumber = *named >= SheetColumn::permitted && *named <= SheetColumn::uncertainty;
+            const QString text = isNumber ? numberText(cells[k], table.decimalMark.value) : cells[k];
+            const bool isGrouped =
+                isNumber && readCell(text.toStdString(), table.decimalMark.value).kind == CellKind::grouped;
+            if (isGrouped || typeIntoSheet(rows, place, *named, text))
+                throw Error(
+                    Error::Kind::content,
+                    {REPORT_TEXT("report", "line %1 of what was pasted: “%2” cannot stand in this column"),
+                     {wholeNumber(row.line), cells[k].left(40).toStdString()},
+                     {}});
+            if (result.taken == 0)
+                result.columns.push_back(*named);
+        }
+        if (place < rows.size() || any)
+            ++result.taken;
+    }
+    result.sheet = std::move(rows);
+    if (table.decimalMark.origin != Origin::recognised)
+        result.units.push_back({"decimalMark",
+                                table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
+                                table.decimalMark.origin});
+    return result;
+}
+
+} // namespace palmer
