@@ -9631,11 +9631,11 @@
     </message>
     <message>
         <source>a tolerance is not negative; two values, the least and the largest, are a range</source>
-        <translation>une tolérance n’est pas négative ; deux valeurs, la plus petite et la plus grande, font un intervalle</translation>
+        <translation>une tolérance n’est pas négative&#x202f;; deux valeurs, la plus petite et la plus grande, font un intervalle</translation>
     </message>
     <message>
         <source>the test gives it; remove the row to type its numbers</source>
-        <translation>l’essai la fournit ; supprimer la ligne pour saisir ses nombres</translation>
+        <translation>l’essai la fournit&#x202f;; supprimer la ligne pour saisir ses nombres</translation>
     </message>
     <message>
         <source>another row has this number</source>
@@ -9647,7 +9647,7 @@
     </message>
     <message>
         <source>line %1 of what was pasted: “%2” cannot stand in this column</source>
-        <translation>ligne %1 du bloc collé : « %2 » ne peut pas figurer dans cette colonne</translation>
+        <translation>ligne %1 du bloc collé&#xa0;: «&#xa0;%2&#xa0;» ne peut pas figurer dans cette colonne</translation>
     </message>
 </context>
 </TS>

@@ -2,36 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
-    <name>palmer::ui::FilterBar</name>
-    <message numerus="yes">
-        <source>%1 of %2 test(s)</source>
-        <translation>
-            <numerusform>%1 of %2 test</numerusform>
-            <numerusform>%1 of %2 tests</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::MachineHead</name>
-    <message numerus="yes">
-        <source>%n month(s)</source>
-        <translation>
-            <numerusform>%n month</numerusform>
-            <numerusform>%n months</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::ReadingsPage</name>
-    <message numerus="yes">
-        <source>Leave out %n target(s) without readings</source>
-        <translation>
-            <numerusform>Leave out %n target without readings</numerusform>
-            <numerusform>Leave out %n targets without readings</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>edits</name>
     <message numerus="yes">
         <source>clear %n reading(s)</source>
@@ -145,6 +115,16 @@
         <translation>
             <numerusform>%n question to answer</numerusform>
             <numerusform>%n questions to answer</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::FilterBar</name>
+    <message numerus="yes">
+        <source>%1 of %2 test(s)</source>
+        <translation>
+            <numerusform>%1 of %2 test</numerusform>
+            <numerusform>%1 of %2 tests</numerusform>
         </translation>
     </message>
 </context>
@@ -284,6 +264,16 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::MachineHead</name>
+    <message numerus="yes">
+        <source>%n month(s)</source>
+        <translation>
+            <numerusform>%n month</numerusform>
+            <numerusform>%n months</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::MainWindow</name>
     <message numerus="yes">
         <source>%n file(s) have changes that are not saved.</source>
@@ -368,6 +358,16 @@
         <translation>
             <numerusform>%n reading set aside and left so: take back first (%1)</numerusform>
             <numerusform>%n readings set aside and left so: take back first (%1)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ReadingsPage</name>
+    <message numerus="yes">
+        <source>Leave out %n target(s) without readings</source>
+        <translation>
+            <numerusform>Leave out %n target without readings</numerusform>
+            <numerusform>Leave out %n targets without readings</numerusform>
         </translation>
     </message>
 </context>
@@ -478,6 +478,16 @@
         <translation>
             <numerusform>%n requirement not declared</numerusform>
             <numerusform>%n requirements not declared</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::SheetPage</name>
+    <message numerus="yes">
+        <source>%n row(s) pasted</source>
+        <translation>
+            <numerusform>%n row pasted</numerusform>
+            <numerusform>%n rows pasted</numerusform>
         </translation>
     </message>
 </context>

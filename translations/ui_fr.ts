@@ -5546,12 +5546,20 @@ est la même machine que&#xa0;:</translation>
         <source>Link</source>
         <translation>Lien</translation>
     </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Norme</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::SheetPage</name>
     <message>
         <source>ISO 14253-1: conformity is to be proven</source>
-        <translation>ISO 14253-1 : conformité à prouver</translation>
+        <translation>ISO 14253-1&#xa0;: conformité à prouver</translation>
     </message>
     <message>
         <source>non-conformity is to be proven</source>
@@ -5559,7 +5567,7 @@ est la même machine que&#xa0;:</translation>
     </message>
     <message>
         <source>Guard band, times U</source>
-        <translation>Facteur de bande de garde (× U)</translation>
+        <translation>Facteur de bande de garde (×&#xa0;U)</translation>
     </message>
     <message>
         <source>Checks</source>

@@ -166,9 +166,9 @@ QVariant SheetModel::headerData(int section, Qt::Orientation orientation, int ro
     case static_cast<int>(SheetColumn::instrument):
         return m_language.text(REPORT_TEXT("report", "Instrument"));
     case static_cast<int>(SheetColumn::remark):
-        return m_language.text(REPORT_TEXT("report", "Remark"));
+        return tr("Remark");
     case static_cast<int>(SheetColumn::standard):
-        return m_language.text(REPORT_TEXT("report", "Standard"));
+        return tr("Standard");
     case picture:
         return m_language.text(REPORT_TEXT("report", "Limit ± U"));
     case verdict:

@@ -50,7 +50,7 @@ public:
     [[nodiscard]] QSize compactSize() const;
 
     static constexpr int rowHeight = 52;
-    static constexpr int lineHeight = 26;
+    static constexpr int lineHeight = 22;
 
 signals:
     void chosen(const QString &path);

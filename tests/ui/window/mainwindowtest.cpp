@@ -160,7 +160,7 @@ void MainWindowTest::opensEveryExample() {
     QCOMPARE(listed->circular, std::holds_alternative<CircularMeasurement>(first.measurement));
     QVERIFY(exampleDetail(path).startsWith(QString::fromStdString(first.edition)));
     auto *navigation = shown.find<QListView>("navigation");
-    QCOMPARE(navigation->model()->rowCount(), static_cast<int>(document.tests.size()) + 5);
+    QCOMPARE(navigation->model()->rowCount(), static_cast<int>(document.tests.size()) + 6);
     for (std::size_t test = 0; test < document.tests.size(); ++test) {
         shown.window->workplace().showTest(test);
         QCOMPARE(shown.find<QLabel>("testTitle")->accessibleName(), testName(*document.tests[test]));
