@@ -43,6 +43,7 @@ constexpr Layer layers[]{
     {"core/kernel/comparison",
      "kernel/numerics kernel/measurement kernel/uncertainty kernel/evaluation kernel/simulation"},
     {"core/kernel/trend", "kernel/numerics"},
+    {"core/kernel/typetest", "kernel/numerics"},
     {"core/language", "kernel/words kernel/measurement"},
     {"core/document", "kernel language"},
     {"core/tables", "kernel/words document"},
