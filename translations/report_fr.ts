@@ -7452,8 +7452,8 @@
         <translation>le registre&#x202f;; sans cette option, celui de l’utilisateur</translation>
     </message>
     <message>
-        <source>list, trend: the axis, or the plane of circles</source>
-        <translation>list, trend&#xa0;: l’axe, ou le plan des cercles</translation>
+        <source>list, trend, type: the axis, or the plane of circles</source>
+        <translation>list, trend, type&#xa0;: l’axe, ou le plan des cercles</translation>
     </message>
     <message>
         <source>list: the kind of test</source>
@@ -7488,20 +7488,20 @@
         <translation>list&#xa0;: pour les programmes, une ligne par grandeur</translation>
     </message>
     <message>
-        <source>list, trend, scan: as JSON, one object a line</source>
-        <translation>list, trend, scan&#xa0;: en JSON, un objet par ligne</translation>
+        <source>list, trend, type, scan: as JSON, one object a line</source>
+        <translation>list, trend, type, scan&#xa0;: en JSON, un objet par ligne</translation>
     </message>
     <message>
         <source>list: the files that cannot be read or are not found, with their reason</source>
         <translation>list&#xa0;: les fichiers illisibles ou introuvables, avec la raison</translation>
     </message>
     <message>
-        <source>trend: the parameter; may stand several times; without it the main ones</source>
-        <translation>trend&#xa0;: la grandeur&#x202f;; peut être répétée&#x202f;; sans cette option, les principales</translation>
+        <source>trend: the parameter; may stand several times; without it the main ones; type: the parameter</source>
+        <translation>trend&#xa0;: la grandeur&#x202f;; peut être répétée&#x202f;; sans cette option, les principales&#x202f;; type&#xa0;: la grandeur</translation>
     </message>
     <message>
-        <source>trend: all tests evaluated anew under one edition</source>
-        <translation>trend&#xa0;: tous les essais évalués à nouveau selon une seule édition</translation>
+        <source>trend, type: all tests evaluated anew under one edition</source>
+        <translation>trend, type&#xa0;: tous les essais évalués à nouveau selon une seule édition</translation>
     </message>
     <message>
         <source>scan: go on and scan again when something changes, until it is ended</source>
@@ -7528,8 +7528,8 @@
         <translation>register %1 ne prend pas de fichier</translation>
     </message>
     <message>
-        <source>all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, report, join MACHINE MACHINE, interval MACHINE MONTHS</source>
-        <translation>tous les essais de toutes les machines dans des dossiers, au fil des ans&#xa0;: scan FOLDER…, list, trend, report, join MACHINE MACHINE, interval MACHINE MONTHS</translation>
+        <source>all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, report, type, join MACHINE MACHINE, interval MACHINE MONTHS</source>
+        <translation>tous les essais de toutes les machines dans des dossiers, au fil des ans&#xa0;: scan FOLDER…, list, trend, report, type, join MACHINE MACHINE, interval MACHINE MONTHS</translation>
     </message>
     <message>
         <source>no machine of the register is called “%1”</source>
@@ -9624,6 +9624,118 @@
         <source>%1 for %2</source>
         <comment>measured, tolerance</comment>
         <translation>%1 pour %2</translation>
+    </message>
+    <message>
+        <source>type: the type of the machines, or maker and type</source>
+        <translation>type&#xa0;: le type des machines, ou constructeur et type</translation>
+    </message>
+    <message>
+        <source>type: share of the type that lies below the tolerance limit</source>
+        <translation>type&#xa0;: part du type située sous la limite de tolérance</translation>
+    </message>
+    <message>
+        <source>type: confidence of the tolerance limit</source>
+        <translation>type&#xa0;: niveau de confiance de la limite de tolérance</translation>
+    </message>
+    <message>
+        <source>type: distribution of the chosen tolerance limit; both are shown</source>
+        <translation>type&#xa0;: loi de la limite de tolérance retenue&#x202f;; les deux sont affichées</translation>
+    </message>
+    <message>
+        <source>Type test of %1: %2, axis or plane %3</source>
+        <translation>Essai de type de %1&#xa0;: %2, axe ou plan %3</translation>
+    </message>
+    <message>
+        <source>Interpretation, not a result of ISO 230-2 or ISO 230-4. The machines are those in the register, no random sample.</source>
+        <translation>Interprétation, pas un résultat de l’ISO 230-2 ni de l’ISO 230-4. Les machines sont celles du registre, non un échantillon aléatoire.</translation>
+    </message>
+    <message>
+        <source>Machines without a comparable test</source>
+        <translation>Machines sans essai comparable</translation>
+    </message>
+    <message>
+        <source>The newest comparable test of each machine; U is stated and not subtracted. Upper tolerance limit: mean + k·s, log-normal exp(m + k·s) of the logarithms, k = t′(N − 1; z·√N)/√N of the noncentral t distribution. Both are shown; no test chooses between them. Largest value: confidence 1 − p^N. Normality: Shapiro–Francia, from 8 machines on.</source>
+        <translation>Essai comparable le plus récent de chaque machine&#x202f;; U est indiquée et non retranchée. Limite supérieure de tolérance&#xa0;: moyenne + k·s, ou log-normale exp(m + k·s) des logarithmes, k = t′(N − 1&#x202f;; z·√N)/√N de la loi de Student non centrée. Les deux sont affichées&#x202f;; aucun test ne choisit entre elles. Plus grande valeur&#xa0;: niveau de confiance 1 − p^N. Normalité&#xa0;: Shapiro–Francia, à partir de 8 machines.</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>douteuse</translation>
+    </message>
+    <message>
+        <source>not contradicted</source>
+        <translation>non contredite</translation>
+    </message>
+    <message>
+        <source>Tolerance limit</source>
+        <translation>Limite de tolérance</translation>
+    </message>
+    <message>
+        <source>none: it takes three machines with a comparable test</source>
+        <translation>aucune&#xa0;: il faut trois machines ayant un essai comparable</translation>
+    </message>
+    <message>
+        <source>Mean, s</source>
+        <translation>Moyenne, s</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>Content, confidence</source>
+        <translation>Part couverte, niveau de confiance</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>retenue</translation>
+    </message>
+    <message>
+        <source>Tolerance limit, log-normal</source>
+        <translation>Limite de tolérance, log-normale</translation>
+    </message>
+    <message>
+        <source>Tolerance limit, normal</source>
+        <translation>Limite de tolérance, normale</translation>
+    </message>
+    <message>
+        <source>Largest value</source>
+        <translation>Plus grande valeur</translation>
+    </message>
+    <message>
+        <source>%1 with a confidence of %2</source>
+        <translation>%1 au niveau de confiance de %2</translation>
+    </message>
+    <message>
+        <source>Normality of the values</source>
+        <translation>Normalité des valeurs</translation>
+    </message>
+    <message>
+        <source>Normality of the logarithms</source>
+        <translation>Normalité des logarithmes</translation>
+    </message>
+    <message>
+        <source>Normal score</source>
+        <translation>Score normal</translation>
+    </message>
+    <message>
+        <source>Differs in</source>
+        <translation>Diffère par</translation>
+    </message>
+    <message>
+        <source>no machine of the register is of the type “%1”</source>
+        <translation>aucune machine du registre n’est du type «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>several makers have the type “%1”; say “%2 %1”</source>
+        <translation>plusieurs constructeurs ont le type «&#xa0;%1&#xa0;»&#x202f;; indiquez «&#xa0;%2 %1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the machines of the type “%1” have no test with %2</source>
+        <translation>les machines du type «&#xa0;%1&#xa0;» n’ont aucun essai donnant %2</translation>
+    </message>
+    <message>
+        <source>%1 has a sign: a type test takes parameters without one</source>
+        <translation>%1 est affectée d’un signe&#xa0;: un essai de type porte sur des grandeurs sans signe</translation>
     </message>
     <message>
         <source>this text is too long</source>

@@ -31,7 +31,7 @@ namespace {
 constexpr std::array registerOptions{
     Option{"register", "PATH|postgresql://…", REPORT_TEXT("report", "the register; without it that of the user")},
     Option{"machine", "WORDS", REPORT_TEXT("report", "list, trend, report: name or serial number of the machine, its number in the list, or what names, maker, type or place contain")},
-    Option{"axis", "X|XY", REPORT_TEXT("report", "list, trend: the axis, or the plane of circles")},
+    Option{"axis", "X|XY", REPORT_TEXT("report", "list, trend, type: the axis, or the plane of circles")},
     Option{"kind", "positioning|circular|drift", REPORT_TEXT("report", "list: the kind of test")},
     Option{"since", "DATE", REPORT_TEXT("report", "list: tests from that day on (YYYY-MM-DD)")},
     Option{"until", "DATE", REPORT_TEXT("report", "list: tests up to that day")},
@@ -41,10 +41,14 @@ constexpr std::array registerOptions{
     Option{"text", "WORDS", REPORT_TEXT("report", "list: each of the words somewhere in names, title, date, edition, instruments or file")},
     Option{"csv", "", REPORT_TEXT("report", "list: for programs, a row per parameter")},
     Option{"decimal-mark", "point|comma", REPORT_TEXT("report", "list: of CSV for spreadsheets, with a byte-order mark"), false, "csv"},
-    Option{"json", "", REPORT_TEXT("report", "list, trend, scan: as JSON, one object a line")},
+    Option{"json", "", REPORT_TEXT("report", "list, trend, type, scan: as JSON, one object a line")},
     Option{"files", "", REPORT_TEXT("report", "list: the files that cannot be read or are not found, with their reason")},
-    Option{"parameter", "A", REPORT_TEXT("report", "trend: the parameter; may stand several times; without it the main ones"), true},
-    Option{"edition", "E", REPORT_TEXT("report", "trend: all tests evaluated anew under one edition")},
+    Option{"parameter", "A", REPORT_TEXT("report", "trend: the parameter; may stand several times; without it the main ones; type: the parameter"), true},
+    Option{"edition", "E", REPORT_TEXT("report", "trend, type: all tests evaluated anew under one edition")},
+    Option{"type", "WORDS", REPORT_TEXT("report", "type: the type of the machines, or maker and type")},
+    Option{"content", "0.95", REPORT_TEXT("report", "type: share of the type that lies below the tolerance limit")},
+    Option{"confidence", "0.95", REPORT_TEXT("report", "type: confidence of the tolerance limit")},
+    Option{"distribution", "logNormal|normal", REPORT_TEXT("report", "type: distribution of the chosen tolerance limit; both are shown")},
     Option{"o", "OUT", REPORT_TEXT("report", "trend: OUT.csv, json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf")},
     Option{"number", "N", REPORT_TEXT("report", "report: the number of the history; without it one of year and serial number"), false, "", true},
     Option{"prune", "", REPORT_TEXT("report", "scan: take out files that are not found any more; with --force also where a folder would lose more than half of its tests")},
@@ -299,6 +303,10 @@ const std::vector<Part> &parts() {
          runList},
         {"trend", {"machine", "axis", "parameter", "edition", "json", "o", "force"}, 0, runRegisterTrend},
         {"report", {"machine", "number", "o", "force"}, 0, runRegisterReport},
+        {"type",
+         {"type", "parameter", "axis", "edition", "content", "confidence", "distribution", "json"},
+         0,
+         runRegisterType},
         {"join", {}, 2, runChoice},
         {"interval", {}, 2, runChoice},
     };
@@ -353,10 +361,10 @@ QString registerAddress(const Invocation &invocation) {
 Command registerCommand() {
     return {
         "register",
-        "scan|list|trend|report|join|interval …",
+        "scan|list|trend|report|type|join …",
         REPORT_TEXT("report",
                     "all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, "
-                    "report, join MACHINE MACHINE, interval MACHINE MONTHS"),
+                    "report, type, join MACHINE MACHINE, interval MACHINE MONTHS"),
         registerOptions,
         runRegister,
         true};

@@ -26,13 +26,6 @@ namespace palmer {
 
 namespace {
 
-QString needed(const Invocation &invocation, const char *option) {
-    const auto given = invocation.value(option);
-    if (!given || given->isEmpty())
-        throw UsageError({REPORT_TEXT("report", "this part of register needs --%1"), {std::string(option)}});
-    return *given;
-}
-
 std::vector<std::string> parametersAsked(const Invocation &invocation, const std::vector<ListedTest> &list) {
     const QStringList asked = invocation.values("parameter");
     if (asked.isEmpty())
@@ -94,6 +87,13 @@ constexpr qsizetype longestNumber = 40; ///< fits in the head of the page
 
 } // namespace
 
+QString neededOption(const Invocation &invocation, const char *option) {
+    const auto given = invocation.value(option);
+    if (!given || given->isEmpty())
+        throw UsageError({REPORT_TEXT("report", "this part of register needs --%1"), {std::string(option)}});
+    return *given;
+}
+
 ListedMachine machineCalled(const std::vector<ListedMachine> &machines, const QString &words,
                             const Language &language) {
     const std::vector<ListedMachine> found = machinesCalled(machines, words);
@@ -114,7 +114,7 @@ ListedMachine machineCalled(const std::vector<ListedMachine> &machines, const QS
 }
 
 int runRegisterReport(const Invocation &invocation) {
-    const QString words = needed(invocation, "machine");
+    const QString words = neededOption(invocation, "machine");
     const QString output = neededOutput(invocation, "register report", "-o OUT.pdf");
     requireOutput(invocation, output, {"pdf"});
     const QStringList languages = reportLanguages(invocation);
@@ -145,9 +145,9 @@ int runRegisterReport(const Invocation &invocation) {
 }
 
 int runRegisterTrend(const Invocation &invocation) {
-    const QString words = needed(invocation, "machine");
+    const QString words = neededOption(invocation, "machine");
     TestFilter filter;
-    filter.axis = needed(invocation, "axis");
+    filter.axis = neededOption(invocation, "axis");
     const QString output = invocation.value("o").value_or(QString());
     const Form form = formOf(invocation, output);
     if (!output.isEmpty())

@@ -15,6 +15,12 @@ int runRegisterTrend(const Invocation &invocation);
 /// `register report`: the history of a machine.
 int runRegisterReport(const Invocation &invocation);
 
+/// `register type`: what the machines of a type say of the type.
+int runRegisterType(const Invocation &invocation);
+
+/// Value of an option that the part of `register` cannot do without. Throws UsageError.
+[[nodiscard]] QString neededOption(const Invocation &invocation, const char *option);
+
 /// Returns the machine a user means. Throws UsageError if there is none, or if there are several: their
 /// numbers.
 [[nodiscard]] ListedMachine machineCalled(const std::vector<ListedMachine> &machines, const QString &words,

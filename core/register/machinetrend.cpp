@@ -47,14 +47,6 @@ QStringList differingProperties(const std::string &first, const std::string &set
     return result;
 }
 
-SeriesDifference differenceOf(const TrendSeries &series, const RegisteredTest &test) {
-    constexpr double sameFeed = 1e-6;
-    const double sameTravel = traitsOf(test.kind).isOfAxis ? travelTolerance : radiusTolerance;
-    return {series.edition != test.edition, !isClose(series.feed, test.feed, sameFeed),
-            !isClose(series.travel, test.travel, sameTravel), series.correction != test.correction,
-            differingProperties(series.setUp, test.setUp)};
-}
-
 std::optional<InterventionKind> kindBefore(const RegisteredTest &test, const RegisteredTest *before) {
     if (test.purpose == Purpose::afterRepair)
         return InterventionKind::repair;
@@ -202,6 +194,14 @@ private:
 };
 
 } // namespace
+
+SeriesDifference differenceOf(const TrendSeries &series, const RegisteredTest &test) {
+    constexpr double sameFeed = 1e-6;
+    const double sameTravel = traitsOf(test.kind).isOfAxis ? travelTolerance : radiusTolerance;
+    return {series.edition != test.edition, !isClose(series.feed, test.feed, sameFeed),
+            !isClose(series.travel, test.travel, sameTravel), series.correction != test.correction,
+            differingProperties(series.setUp, test.setUp)};
+}
 
 MachineTrend machineTrend(const std::vector<ListedTest> &tests, const std::string &parameter) {
     return Maker(tests, parameter).make();

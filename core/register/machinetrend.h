@@ -53,6 +53,9 @@ struct TrendSeries {
     std::vector<TrendEntry> entries; ///< in chronological order
 };
 
+/// Returns in what a test differs from a series.
+[[nodiscard]] SeriesDifference differenceOf(const TrendSeries &series, const RegisteredTest &test);
+
 inline constexpr double travelTolerance = 0.02;  ///< relative to the travel of the newest test of a series
 inline constexpr double radiusTolerance = 0.001; ///< the same for circles, whose radius may be calibrated
 

@@ -84,6 +84,7 @@ private slots:
     void theHistoryIsPrinted();
     void theNumberOfAHistory_data();
     void theNumberOfAHistory();
+    void theTestOfAType();
     void aPictureOfATrend_data();
     void aPictureOfATrend();
     void theUsersRegisterStandsInHisData();
@@ -252,6 +253,26 @@ void RegisterCommandTest::wrongUsage_data() {
         << QStringList{"report", "--machine", "000-001"} << QByteArray("-o OUT.pdf");
     QTest::newRow("a report of another ending")
         << QStringList{"report", "--machine", "000-001", "-o", "h.png"} << QByteArray("pdf");
+    QTest::newRow("type test of no type")
+        << QStringList{"type", "--parameter", "A"} << QByteArray("needs --type");
+    QTest::newRow("type test of no parameter")
+        << QStringList{"type", "--type", "T1"} << QByteArray("needs --parameter");
+    QTest::newRow("unknown type") << QStringList{"type", "--type", "T9", "--parameter", "A"}
+                                  << QByteArray("no machine of the register is of the type “T9”");
+    QTest::newRow("several makers of a type") << QStringList{"type", "--type", "cu 1000", "--parameter", "A"}
+                                              << QByteArray("say “Maker A cu 1000”");
+    QTest::newRow("a parameter that no test has")
+        << QStringList{"type", "--type", "Maker A CU 1000", "--parameter", "Q"}
+        << QByteArray("no test with Q");
+    QTest::newRow("a signed parameter")
+        << QStringList{"type", "--type", "Maker A CU 1000", "--parameter", "Bmean"}
+        << QByteArray("has a sign");
+    QTest::newRow("a certain type test")
+        << QStringList{"type", "--type", "Maker A CU 1000", "--parameter", "A", "--confidence", "1"}
+        << QByteArray("--confidence");
+    QTest::newRow("an unknown distribution")
+        << QStringList{"type", "--type", "Maker A CU 1000", "--parameter", "A", "--distribution", "flat"}
+        << QByteArray("logNormal, normal");
     QTest::newRow("a picture of another ending")
         << QStringList{"trend", "--machine", "000-001", "--axis", "X", "-o", "t.doc"}
         << QByteArray("-o OUT.");
@@ -569,6 +590,66 @@ void RegisterCommandTest::theNumberOfAHistory() {
     // It is the title of the document, too.
     if (!options.isEmpty() && !options.last().trimmed().isEmpty())
         QVERIFY(runPdfinfo(pdf).contains(options.last().simplified().toUtf8()));
+}
+
+void RegisterCommandTest::theTestOfAType() {
+    QProcess script; // three machines of each maker
+    script.start("python3", {QStringLiteral(SOURCE "/tests/benchmarks/registerfiles.py"),
+                             m_dir->filePath("types"), "--files", "54", "--machines", "9"});
+    QVERIFY(script.waitForFinished(120'000));
+    QCOMPARE(reg({"scan", m_dir->filePath("types")}).code, 0);
+    const QStringList words{"type", "--type", " maker a  CU 1000", "--parameter", "A"};
+    const CliResult json = reg(words + QStringList{"--json"});
+    QCOMPARE(json.err, QByteArray());
+    QCOMPARE(json.code, 0);
+    const auto axes = objects(json.out);
+    QCOMPARE(axes.size(), std::size_t{3});
+    for (const QJsonObject &axis : axes) {
+        const QJsonArray machines = axis["machines"].toArray();
+        QCOMPARE(machines.size(), 3);
+        double sum = 0;
+        for (const auto &entry : machines) {
+            const QJsonObject machine = entry.toObject();
+            sum += machine["value"].toDouble();
+            // The value is that of the command evaluate, the test the newest of its machine and axis.
+            const auto file = objects(runCli({"evaluate", "--json-lines", machine["file"].toString()}).out);
+            const QJsonObject its =
+                file.front()["tests"].toArray().at(machine["test"].toInt() - 1).toObject();
+            QCOMPARE(its["parameters"].toArray().at(0)["value"].toDouble(), machine["value"].toDouble());
+            QCOMPARE(its["date"], machine["date"]);
+            const auto newest = objects(reg({"list", "--json", "--axis", axis["axis"].toString(), "--machine",
+                                             machine["machine"]["name"].toString()})
+                                            .out);
+            QCOMPARE(newest.back()["date"], machine["date"]);
+        }
+        const QJsonObject statistics = axis["statistics"].toObject();
+        QVERIFY(std::abs(statistics["mean"].toDouble() - sum / 3) < 1e-15);
+        QVERIFY(std::abs(statistics["factor"].toDouble() - 7.6559) < 1e-4);
+        QCOMPARE(statistics["limit"], statistics["logNormalLimit"]);
+        QVERIFY(statistics["normality"]["values"].isNull());
+    }
+    const auto normal =
+        objects(reg(words + QStringList{"--json", "--axis", "x", "--distribution", "normal", "--content",
+                                        "0.9", "--confidence", "0.9", "--edition", "2006"})
+                    .out);
+    QCOMPARE(normal.size(), std::size_t{1});
+    QCOMPARE(normal.front()["edition"].toString(), QString("ISO 230-2:2006"));
+    QCOMPARE(normal.front()["statistics"]["limit"], normal.front()["statistics"]["normalLimit"]);
+    QVERIFY(normal.front()["statistics"]["factor"].toDouble() < 4.3); // 4.258
+
+    write(m_dir->filePath("types.jsonl"), json.out);
+    QProcess validator;
+    validator.start("python3",
+                    {SOURCE "/tests/core/document/validate.py",
+                     SOURCE "/resources/schema/palmer-type-1.schema.json", m_dir->filePath("types.jsonl")});
+    QVERIFY(validator.waitForFinished(60'000));
+    QCOMPARE(validator.readAllStandardOutput(), QByteArray("1\n1\n1\n"));
+
+    const QByteArray text = reg(words + QStringList{"--language", "en"}).out;
+    for (const char *said : {"Interpretation", "Tolerance limit, log-normal", "Machine 001", "Machine 007"})
+        QVERIFY2(text.contains(said), said);
+    const QByteArray french = reg(words + QStringList{"--language", "fr"}).out;
+    QVERIFY2(french.contains("Limite de tolérance"), french.constData());
 }
 
 void RegisterCommandTest::aPictureOfATrend_data() {
