@@ -9447,6 +9447,118 @@
         <translation>Ce que la révision change.</translation>
     </message>
     <message>
+        <source>Title of the test</source>
+        <translation>Titre de l’essai</translation>
+    </message>
+    <message>
+        <source>Element of the scale (0: continuous)</source>
+        <translation>Élément de l’échelle (0&#xa0;: continue)</translation>
+    </message>
+    <message>
+        <source>Reference length calibrated</source>
+        <translation>Longueur de référence étalonnée</translation>
+    </message>
+    <message>
+        <source>Specified diameter</source>
+        <translation>Diamètre spécifié</translation>
+    </message>
+    <message>
+        <source>Specified feed</source>
+        <translation>Vitesse d’avance spécifiée</translation>
+    </message>
+    <message>
+        <source>Period of the error</source>
+        <translation>Période de l’erreur périodique</translation>
+    </message>
+    <message>
+        <source>Faces of the polygon, number</source>
+        <translation>Nombre de faces du polygone</translation>
+    </message>
+    <message>
+        <source>Kind of warm-up</source>
+        <translation>Mise en température</translation>
+    </message>
+    <message>
+        <source>Warm-up, details</source>
+        <translation>Mise en température, détails</translation>
+    </message>
+    <message>
+        <source>Specified by</source>
+        <translation>Prescrite par</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positions</translation>
+    </message>
+    <message>
+        <source>Centre of the circle, X</source>
+        <translation>Centre du cercle, X</translation>
+    </message>
+    <message>
+        <source>Centre of the circle, Y</source>
+        <translation>Centre du cercle, Y</translation>
+    </message>
+    <message>
+        <source>Centre of the circle, Z</source>
+        <translation>Centre du cercle, Z</translation>
+    </message>
+    <message>
+        <source>Offset to tool, X</source>
+        <translation>Décalage outil, X</translation>
+    </message>
+    <message>
+        <source>Offset to tool, Y</source>
+        <translation>Décalage outil, Y</translation>
+    </message>
+    <message>
+        <source>Offset to tool, Z</source>
+        <translation>Décalage outil, Z</translation>
+    </message>
+    <message>
+        <source>Offset to workpiece, X</source>
+        <translation>Décalage pièce, X</translation>
+    </message>
+    <message>
+        <source>Offset to workpiece, Y</source>
+        <translation>Décalage pièce, Y</translation>
+    </message>
+    <message>
+        <source>Offset to workpiece, Z</source>
+        <translation>Décalage pièce, Z</translation>
+    </message>
+    <message>
+        <source>To declare</source>
+        <translation>À déclarer</translation>
+    </message>
+    <message>
+        <source>Thermally stable</source>
+        <translation>Stabilité thermique</translation>
+    </message>
+    <message>
+        <source>Declaration</source>
+        <translation>Déclaration</translation>
+    </message>
+    <message>
+        <source>Rest of the requirements declared met by</source>
+        <translation>Reste des exigences déclaré satisfait par</translation>
+    </message>
+    <message>
+        <source>Declared on</source>
+        <translation>Déclaré le</translation>
+    </message>
+    <message>
+        <source>Text of the declaration</source>
+        <translation>Texte de la déclaration</translation>
+    </message>
+    <message>
+        <source>Remarks on the test</source>
+        <translation>Remarques sur l’essai</translation>
+    </message>
+    <message>
+        <source>Hours before</source>
+        <translation>Heures avant</translation>
+    </message>
+    <message>
         <source>the explanations as JSON</source>
         <translation>les explications en JSON</translation>
     </message>

@@ -1144,42 +1144,6 @@
         <translation>Instrument, fin</translation>
     </message>
     <message>
-        <source>Cycle and load</source>
-        <translation>Cycle et charge</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>Positions</translation>
-    </message>
-    <message>
-        <source>Offset to tool, X</source>
-        <translation>Décalage outil, X</translation>
-    </message>
-    <message>
-        <source>Offset to tool, Y</source>
-        <translation>Décalage outil, Y</translation>
-    </message>
-    <message>
-        <source>Offset to tool, Z</source>
-        <translation>Décalage outil, Z</translation>
-    </message>
-    <message>
-        <source>Offset to workpiece, X</source>
-        <translation>Décalage pièce, X</translation>
-    </message>
-    <message>
-        <source>Offset to workpiece, Y</source>
-        <translation>Décalage pièce, Y</translation>
-    </message>
-    <message>
-        <source>Offset to workpiece, Z</source>
-        <translation>Décalage pièce, Z</translation>
-    </message>
-    <message>
-        <source>Test and axis</source>
-        <translation>Essai et axe</translation>
-    </message>
-    <message>
         <source>Air %1, start</source>
         <translation>Air %1, début</translation>
     </message>
@@ -1212,56 +1176,12 @@
         <translation>Capteur non attribué, fin</translation>
     </message>
     <message>
-        <source>Remarks on the test</source>
-        <translation>Remarques sur l’essai</translation>
-    </message>
-    <message>
         <source>Remove the sensor</source>
         <translation>Supprimer le capteur</translation>
     </message>
     <message>
         <source>not stated</source>
         <translation>non indiqué</translation>
-    </message>
-    <message>
-        <source>Another air sensor</source>
-        <translation>Autre capteur d’air</translation>
-    </message>
-    <message>
-        <source>Another machine sensor</source>
-        <translation>Autre capteur de machine</translation>
-    </message>
-    <message>
-        <source>Another instrument sensor</source>
-        <translation>Autre capteur d’instrument</translation>
-    </message>
-    <message>
-        <source>Warm-up, details</source>
-        <translation>Mise en température, détails</translation>
-    </message>
-    <message>
-        <source>Centre of the circle, X</source>
-        <translation>Centre du cercle, X</translation>
-    </message>
-    <message>
-        <source>Centre of the circle, Y</source>
-        <translation>Centre du cercle, Y</translation>
-    </message>
-    <message>
-        <source>Centre of the circle, Z</source>
-        <translation>Centre du cercle, Z</translation>
-    </message>
-    <message>
-        <source>Title of the test</source>
-        <translation>Titre de l’essai</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Heure</translation>
-    </message>
-    <message>
-        <source>Period of the error</source>
-        <translation>Période de l’erreur périodique</translation>
     </message>
     <message>
         <source>by calculation</source>
@@ -1276,60 +1196,12 @@
         <translation>Mesuré avec&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Reference length calibrated</source>
-        <translation>Longueur de référence étalonnée</translation>
-    </message>
-    <message>
-        <source>Agreed limit of the gradient</source>
-        <translation>Limite convenue du gradient</translation>
-    </message>
-    <message>
-        <source>Warm-up specified by</source>
-        <translation>Mise en température selon</translation>
-    </message>
-    <message>
         <source>the maker</source>
         <translation>le constructeur</translation>
     </message>
     <message>
         <source>agreement</source>
         <translation>accord</translation>
-    </message>
-    <message>
-        <source>Agreed feed rate</source>
-        <translation>Vitesse d’avance convenue</translation>
-    </message>
-    <message>
-        <source>Specified diameter</source>
-        <translation>Diamètre spécifié</translation>
-    </message>
-    <message>
-        <source>Specified feed</source>
-        <translation>Vitesse d’avance spécifiée</translation>
-    </message>
-    <message>
-        <source>Rest of the requirements declared met by</source>
-        <translation>Reste des exigences déclaré satisfait par</translation>
-    </message>
-    <message>
-        <source>Declared on</source>
-        <translation>Déclaré le</translation>
-    </message>
-    <message>
-        <source>Text of the declaration</source>
-        <translation>Texte de la déclaration</translation>
-    </message>
-    <message>
-        <source>Faces of the polygon, number</source>
-        <translation>Nombre de faces du polygone</translation>
-    </message>
-    <message>
-        <source>Element of the scale (0: continuous)</source>
-        <translation>Élément de l’échelle (0&#xa0;: continue)</translation>
-    </message>
-    <message>
-        <source>Declarations</source>
-        <translation>Déclarations</translation>
     </message>
     <message>
         <source>All of these apply</source>
@@ -1340,32 +1212,28 @@
         <translation>Correction à 20 °C&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>air %1</source>
-        <translation>air %1</translation>
-    </message>
-    <message>
-        <source>machine %1</source>
-        <translation>machine %1</translation>
-    </message>
-    <message>
-        <source>instrument %1</source>
-        <translation>instrument %1</translation>
-    </message>
-    <message>
-        <source>%1: no</source>
-        <translation>%1&#xa0;: non</translation>
-    </message>
-    <message>
-        <source>%1 of %2 apply</source>
-        <translation>%1 sur %2 déclarées satisfaites</translation>
-    </message>
-    <message>
-        <source>Its size is known when temperatures and expansions are stated.</source>
-        <translation>Sa valeur est connue dès que températures et dilatations sont indiquées.</translation>
-    </message>
-    <message>
         <source>Sensor position</source>
         <translation>Position du capteur</translation>
+    </message>
+    <message>
+        <source>Usual in practice</source>
+        <translation>D’usage</translation>
+    </message>
+    <message>
+        <source>+ machine</source>
+        <translation>+ machine</translation>
+    </message>
+    <message>
+        <source>+ instrument</source>
+        <translation>+ instrument</translation>
+    </message>
+    <message>
+        <source>+ air</source>
+        <translation>+ air</translation>
+    </message>
+    <message>
+        <source>Unassigned</source>
+        <translation>Non attribué</translation>
     </message>
 </context>
 <context>
@@ -1702,6 +1570,10 @@
     <message>
         <source>%1 characters, where a test file holds no more than %2</source>
         <translation>%1 caractères, alors qu’un fichier d’essai en admet %2 au plus</translation>
+    </message>
+    <message>
+        <source>%1: no</source>
+        <translation>%1&#xa0;: non</translation>
     </message>
 </context>
 <context>
@@ -3405,10 +3277,6 @@
     <message>
         <source>Targets per metre</source>
         <translation>Points par mètre</translation>
-    </message>
-    <message>
-        <source>Period of the error</source>
-        <translation>Période de l’erreur périodique</translation>
     </message>
     <message>
         <source>Decimals</source>

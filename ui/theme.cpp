@@ -146,6 +146,7 @@ QCheckBox::indicator, QListView::indicator { width: 14px; height: 14px; border: 
     background: @base; }
 QCheckBox::indicator:hover, QCheckBox::indicator:focus, QListView::indicator:hover { border-color: @accent; }
 QCheckBox::indicator:checked, QListView::indicator:checked { image: url(:/icons/check-@kind.svg); background: @selected; border-color: @accent; }
+QCheckBox::indicator:indeterminate { image: url(:/icons/dash-@kind.svg); border-color: @unsure; }
 QCheckBox::indicator:disabled { border-color: @line; }
 QListView[roomy="true"]::item, QTreeView[roomy="true"]::item { min-height: 22px; }
 QScrollBar { background: transparent; border: none; }
@@ -213,6 +214,8 @@ QLineEdit, QAbstractSpinBox, QComboBox, QPlainTextEdit { background: @base; colo
 QLineEdit, QAbstractSpinBox, QComboBox { min-height: 26px; padding: 0 8px; }
 QLineEdit > QToolButton { border: none; padding: 0; min-height: 0; }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border: 2px solid @accent; min-height: 24px; padding: 0 7px; }
+QLineEdit[dense="true"], QComboBox[dense="true"] { min-height: 24px; }
+QLineEdit[dense="true"]:focus, QComboBox[dense="true"]:focus { min-height: 22px; }
 QLineEdit[cell="true"], QLineEdit[cell="true"]:focus { border: 2px solid @accent; min-height: 0; padding: 0 4px 0 2px; }
 QPlainTextEdit { padding: 0 6px; }
 QPlainTextEdit:focus { border: 2px solid @accent; padding: 0 5px; }

@@ -16,13 +16,8 @@ namespace palmer {
 
 /// How a value is entered, if that needs no further explanation.
 struct FieldForm {
-    /// A section of the conditions form.
-    enum class Section { none, room, air, load, positions, circle, points };
-
     std::optional<Quantity> quantity = {}; ///< for a linear axis; see quantityOf
     std::span<const Text> words = {};      ///< options in the order of the enumeration; empty: states nothing
-    Section section = Section::none;       ///< section of the form; none: it has its own place
-    int columns = 0;                       ///< of twelve
 };
 
 /// Something a test file can state: its name in window, report and help, and a sentence about what to enter.

@@ -70,7 +70,7 @@ QString catalogue(const char *name) {
 
 /// Words that are the same in both languages.
 const QSet<QString> sameInBoth{
-    "Contribution", "Date",         "Machine",      "Signature", "Signatures",   "Verdict",   "Instrument",
+    "Contribution", "Positions", "Date",         "Machine",      "Signature", "Signatures",   "Verdict",   "Instrument",
     "Instruments",  "Position",     "minimum",      "maximum",   "note",         "Air",       "Cycle",
     "Point",        "page %1 / %2", "Centre",       "Centre %1", "Source",       "Centre, F", "Compensation",
     "Points",       "Angles",       "Correction C", "positions", "rad",          "mrad",      "µrad",

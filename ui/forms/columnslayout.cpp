@@ -16,8 +16,7 @@ void ColumnsLayout::add(QWidget *widget, int span, Qt::Alignment alignment) {
     addChildWidget(widget);
     auto item = std::make_unique<QWidgetItem>(widget);
     item->setAlignment(alignment);
-    const int column = m_cells.empty() ? 0 : m_cells.back().column + m_cells.back().span;
-    m_cells.push_back({std::move(item), column, span});
+    m_cells.push_back({std::move(item), taken(), span});
     invalidate();
 }
 
@@ -36,8 +35,7 @@ QLayoutItem *ColumnsLayout::takeAt(int index) {
 }
 
 void ColumnsLayout::addItem(QLayoutItem *item) {
-    const int column = m_cells.empty() ? 0 : m_cells.back().column + m_cells.back().span;
-    m_cells.push_back({std::unique_ptr<QLayoutItem>(item), column, 1});
+    m_cells.push_back({std::unique_ptr<QLayoutItem>(item), taken(), 1});
 }
 
 /// x coordinate of the left edge of a column.

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/forms/conditionspage.h"
 
+#include "document/conditionsform.h"
 #include "document/edits.h"
 #include "document/fieldvalue.h"
 #include "document/filewords.h"
 #include "document/statedthings.h"
-#include "kernel/evaluation/agreedpoints.h"
-#include "kernel/evaluation/iso230_4/circularcase.h"
 #include "language/decimals.h"
 #include "report/words/correctiontext.h"
-#include "ui/forms/agreedvalue.h"
 #include "ui/forms/templatebutton.h"
+#include "ui/elidedlabel.h"
 #include "ui/madewidgets.h"
 #include "ui/theme.h"
 
@@ -137,29 +136,9 @@ Member<std::optional<double>> faces() {
             }};
 }
 
-/// A requirement that only a declaration can meet.
-struct Declaration {
-    const char *id = nullptr;  ///< of its requirement
-    const char *key = nullptr; ///< of its field
-};
-constexpr std::array declarations{Declaration{"soak", "stabilised"}, Declaration{"shielded", "shielded"},
-                                  Declaration{"complete", "complete"}, Declaration{"levelled", "levelled"},
-                                  Declaration{"unloaded", "unloaded"}};
-
-std::optional<bool> declared(const Test &test, const Declaration &declaration) {
-    return std::get<std::optional<bool>>(fieldValue(test, declaration.key));
-}
-
-/// The clause of the edition that requires it; empty if the clause is unknown.
-std::string clauseOf(const Edition &edition, std::string_view id) {
-    const auto in = [id](const auto &rows) -> std::string {
-        for (const auto &row : rows) {
-            if (row.id == id)
-                return row.clause;
-        }
-        return {};
-    };
-    return edition.circles ? in(edition.circles->requirements) : in(edition.requirements);
+Quantity positionsOf(const Test *test) {
+    const Axis *axis = test ? axisOf(*test) : nullptr;
+    return axis ? positionQuantity(*axis) : Quantity::position;
 }
 
 std::size_t shownSensors(const Conditions &conditions, SensorMeasures what) {
@@ -178,16 +157,51 @@ ConditionsPage::ConditionsPage(DocumentModel &model, Selection &selection, QWidg
     refresh();
 }
 
+/// Groups in which the edition misses something come first, as they were when the page came into view or shows
+/// another test: nothing moves while the user works.
+void ConditionsPage::order(std::vector<FormGroup> &groups) {
+    const Test &shown = *shownTest();
+    const TestEvaluation &evaluation = *evaluated().tests[test()];
+    const QString of = QString::fromStdString(shown.id) + u' ' +
+                       QString::fromUtf8(evaluation.edition ? evaluation.edition->word : "");
+    if ((m_isOrderDue || of != m_ordered) && !evaluated().isPending(test())) {
+        m_isOrderDue = false;
+        m_ordered = of;
+        m_first.clear();
+        for (const FormGroup &group : groups) {
+            if (group.lacks)
+                m_first.insert(group.name.source);
+        }
+    }
+    std::ranges::stable_partition(
+        groups, [this](const FormGroup &group) { return m_first.contains(group.name.source); });
+}
+
+void ConditionsPage::showEvent(QShowEvent *event) {
+    if (!event->spontaneous()) {
+        m_isOrderDue = true;
+        refresh();
+    }
+    Form::showEvent(event);
+}
+
 void ConditionsPage::prepare() {
     const Test *shown = shownTest();
     const Conditions *conditions = shown ? conditionsOf(*shown) : nullptr;
-    const Edition *edition = shown ? findEdition(shown->edition) : nullptr;
+    ConditionsForm form;
     QString wanted = QStringLiteral("none");
     if (conditions) {
-        wanted = QString::fromLatin1(fileWord(kindOf(*shown))) + u' ' +
-                 QLatin1StringView(fileWord(motionOf(*shown)));
-        wanted += edition && edition->rangeMethod ? QStringLiteral(" range") : QString();
-        wanted += edition ? u' ' + QString::fromUtf8(edition->family) : QString();
+        form = conditionsForm(*shown, *evaluated().tests[test()]);
+        order(form.asked);
+        wanted = QLatin1StringView(fileWord(motionOf(*shown)));
+        for (const auto *groups : {&form.asked, &form.usual, &form.other}) {
+            wanted += u'/';
+            for (const FormGroup &group : *groups) {
+                wanted += u' ' + QString::fromUtf8(group.name.source);
+                for (const FormCell &cell : group.cells)
+                    wanted += u' ' + QString::fromUtf8(cell.key.data());
+            }
+        }
         for (const SensorMeasures what : kinds)
             wanted += u' ' + QString::number(shownSensors(*conditions, what));
         for (const Instrument &instrument : evaluated().document->instruments)
@@ -197,100 +211,149 @@ void ConditionsPage::prepare() {
         return;
     m_built = wanted;
     m_instruments.clear();
+    m_clauses.clear();
     m_correction = nullptr;
     clear();
     if (!conditions)
         return;
-    std::visit(
-        [this](const auto &measurement) {
-            if constexpr (requires { measurement.conditions; })
-                addFields(measurement);
-        },
-        shown->measurement);
-}
-
-template <class Measurement>
-void ConditionsPage::addFields(const Measurement &measurement) {
-    addTestAndPurpose();
-    addAxis(measurement);
-    addTemperatures(measurement.conditions.common);
-    addAir(measurement);
-    addDeclarations(findEdition(shownTest()->edition));
-    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Cycle and load"));
-    beginColumns();
-    addCycle(measurement);
-    addWarmUp();
-    addAgreedCycle(measurement);
-    addThings(FieldForm::Section::load);
-    addPositions();
-    addPlace(measurement);
-    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks"));
-    beginColumns();
-    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks on the test")},
-                ofTest([](auto &test) { return &test.remarks; }), 12);
+    addGroups(form.asked);
+    if (!form.usual.empty()) {
+        addFoldingSection(QT_TR_NOOP("Usual in practice"));
+        addGroups(form.usual);
+    }
+    addFoldingSection(QT_TR_NOOP("Further statements"));
+    addGroups(form.other);
     addStretch();
 }
 
-void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
+void ConditionsPage::addGroups(const std::vector<FormGroup> &groups) {
+    for (const FormGroup &group : groups) {
+        beginGroup(group.name.source);
+        for (const FormCell &cell : group.cells)
+            addCell(cell);
+    }
+}
+
+/// A statement under its key alone, or one that has several parts or does not belong to test or conditions.
+void ConditionsPage::addCell(const FormCell &cell) {
+    using M = PositioningMeasurement;
+    using C = CircularMeasurement;
+    using Make = void (*)(ConditionsPage &, const Topic &, int columns);
+    struct Own {
+        std::string_view key;
+        std::string_view part;
+        Make make;
+    };
+    // clang-format off
+    static const std::array own{
+        Own{"title", "", [](auto &p, auto &t, int n) { p.addText(t, ofTest([](auto &test) { return &test.title; }), n); }},
+        Own{"date", "", [](auto &p, auto &t, int n) { p.addDate(t, ofTest([](auto &test) { return &test.date; }), n); }},
+        Own{"time", "", [](auto &p, auto &t, int n) { p.addTime(t, ofTest([](auto &test) { return &test.time; }), n); }},
+        Own{"instruments", "", [](auto &p, auto &, int) { p.addInstruments(); }},
+        Own{"name", "", [](auto &p, auto &t, int n) { p.addText(t, positioning<&M::axis, &Axis::name>(), n); }},
+        Own{"motion", "", [](auto &p, auto &t, int n) { p.addChoice(t, {QT_TR_NOOP("linear"), QT_TR_NOOP("rotary")}, choiceOf<Motion>(positioning<&M::axis, &Axis::motion>(), {Motion::linear, Motion::rotary}), false, n); }},
+        Own{"travel", "", [](auto &p, auto &t, int n) { p.addNumber(t, positionsOf(p.shownTest()), positioning<&M::axis, &Axis::travel>(), n, Allowed::positive); }},
+        Own{"range", "", [](auto &p, auto &t, int n) { p.addInterval(t, positionsOf(p.shownTest()), positioning<&M::axis, &Axis::range>(), n); }},
+        Own{"positionFeedback", "", [](auto &p, auto &t, int n) { axisOf(*p.shownTest()) ? p.addText(t, positioning<&M::axis, &Axis::positionFeedback>(), n) : p.addText(t, circular<&C::positionFeedback>(), n); }},
+        Own{"zone", "", [](auto &p, auto &t, int n) { p.addInterval(t, positionsOf(p.shownTest()), positioning<&M::zone>(), n); }},
+        Own{"scaleElement", "", [](auto &p, auto &t, int n) { p.addNumber(t, positionsOf(p.shownTest()), positioning<&M::axis, &Axis::scaleElement>(), n, Allowed::notNegative); }},
+        Own{"standardDeviation", "", [](auto &p, auto &t, int n) { p.addChoice(t, {QT_TR_NOOP("by calculation"), QT_TR_NOOP("by the range method")}, choiceOf<DeviationMethod>(positioning<&M::standardDeviation>(), {DeviationMethod::calculation, DeviationMethod::range}), false, n); }},
+        Own{"targetChoice", "kind", [](auto &p, auto &t, int n) { p.addWords(t, positioning<&M::targetChoice, &TargetChoice::kind>(), n); }},
+        Own{"targetChoice", "interval", [](auto &p, auto &t, int n) { p.addNumber({"", t.label}, positionsOf(p.shownTest()), positioning<&M::targetChoice, &TargetChoice::interval>(), n); }},
+        Own{"targetChoice", "period", [](auto &p, auto &t, int n) { p.addNumber({"", t.label}, positionsOf(p.shownTest()), positioning<&M::targetChoice, &TargetChoice::period>(), n); }},
+        Own{"faces", "", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::count, faces(), n, Allowed::positive); }},
+        Own{"referenceLength", "", [](auto &p, auto &t, int n) { p.addYesNo(t, circular<&C::referenceLength, &ReferenceLength::calibrated>(), n); }},
+        Own{"specified", "diameter", [](auto &p, auto &t, int n) { p.addNumber({"", t.label}, Quantity::position, circular<&C::specified, &SpecifiedCircle::diameter>(), n, Allowed::positive); }},
+        Own{"specified", "feed", [](auto &p, auto &t, int n) { p.addNumber({"", t.label}, Quantity::feed, circular<&C::specified, &SpecifiedCircle::feed>(), n, Allowed::positive); }},
+        Own{"sensors", "", [](auto &p, auto &, int) { p.addTemperatures(*conditionsOf(*p.shownTest())); }},
+        Own{"warmUp", "kind", [](auto &p, auto &t, int n) { p.addWords(t, commonPart<&Conditions::warmUp, &WarmUp::kind>(), n); }},
+        Own{"warmUp", "text", [](auto &p, auto &t, int n) { p.addText({"", t.label}, commonPart<&Conditions::warmUp, &WarmUp::text>(), n); }},
+        Own{"warmUp", "by", [](auto &p, auto &t, int n) { p.addChoice(t, {QT_TR_NOOP("not stated"), QT_TR_NOOP("the maker"), QT_TR_NOOP("agreement")}, choiceOf<SpecifiedBy>(commonPart<&Conditions::warmUp, &WarmUp::specifiedBy>(), {SpecifiedBy::notStated, SpecifiedBy::maker, SpecifiedBy::agreement}), true, n); }},
+        Own{"toolOffset", "0", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::position, coordinate<&Conditions::toolOffset, 0>(), n); }},
+        Own{"toolOffset", "1", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::position, coordinate<&Conditions::toolOffset, 1>(), n); }},
+        Own{"toolOffset", "2", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::position, coordinate<&Conditions::toolOffset, 2>(), n); }},
+        Own{"workpieceOffset", "0", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::position, coordinate<&Conditions::workpieceOffset, 0>(), n); }},
+        Own{"workpieceOffset", "1", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::position, coordinate<&Conditions::workpieceOffset, 1>(), n); }},
+        Own{"workpieceOffset", "2", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::position, coordinate<&Conditions::workpieceOffset, 2>(), n); }},
+        Own{"centre", "0", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::position, circular<&C::conditions, &CircularConditions::centre, std::size_t(0)>(), n); }},
+        Own{"centre", "1", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::position, circular<&C::conditions, &CircularConditions::centre, std::size_t(1)>(), n); }},
+        Own{"centre", "2", [](auto &p, auto &t, int n) { p.addNumber(t, Quantity::position, circular<&C::conditions, &CircularConditions::centre, std::size_t(2)>(), n); }},
+        Own{"allApply", "", [](auto &p, auto &, int n) { p.addAllApply(n); }},
+        Own{"declaredAccordance", "by", [](auto &p, auto &t, int n) { p.addText({"", t.label}, ofTest([](auto &test) { return &test.declaredAccordance.by; }), n); }},
+        Own{"declaredAccordance", "date", [](auto &p, auto &t, int n) { p.addDate({"", t.label}, ofTest([](auto &test) { return &test.declaredAccordance.date; }), n); }},
+        Own{"declaredAccordance", "text", [](auto &p, auto &t, int n) { p.addText({"", t.label}, ofTest([](auto &test) { return &test.declaredAccordance.text; }), n); }},
+        Own{"remarks", "", [](auto &p, auto &t, int n) { p.addLongText({"", t.label}, ofTest([](auto &test) { return &test.remarks; }), n); }},
+    };
+    // clang-format on
+    const char *key = cell.key.data();
+    const StatedThing *thing = statedThing(cell.key);
+    const Topic topic(key, !cell.name.empty() ? cell.name.source : thing ? thing->name.source : "");
+    const auto found = std::ranges::find_if(
+        own, [&](const Own &one) { return one.key == cell.key && one.part == cell.part; });
+    if (found != own.end())
+        found->make(*this, topic, cell.columns);
+    else if (cell.part == "answer")
+        m_clauses[key] = addAnswer(topic, cell.columns);
+    else
+        addThing(topic, cell.columns);
+}
+
+/// A sensor in one line: its name, start, end, its expansion or a button that removes it, position.
+void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal, bool first) {
     beginColumns();
     const SensorLabels labels = labelsOf(what, ordinal > 0);
     const QString argument = ordinal > 0 ? QString::number(ordinal + 1) : QString();
-    Field *start = addNumber({"sensors", labels.start}, Quantity::temperature, startOf(what, ordinal), 3,
-                             Allowed::celsius);
-    start->setLabelArgument(argument);
-    addNumber({"sensors", labels.end}, Quantity::temperature, endOf(what, ordinal), 3, Allowed::celsius)
-        ->setLabelArgument(argument);
-    addText({"sensors", QT_TR_NOOP("Sensor position")}, ofSensor<&Sensor::position>(what, ordinal),
-            what == SensorMeasures::air && ordinal == 0 ? 6 : 3); // the others have something next to them
+    auto *name = made<QLabel>(TextSize::small, body());
+    name->setContentsMargins(0, first ? Field::headHeight - 4 : 0, 0, 0); // level with the fields
+    m_sensorNames.emplace_back(name, what, argument);
+    addWidget(name, 2);
+    const auto head = [first, &argument](Field *field) {
+        field->setLabelArgument(argument);
+        if (!first)
+            field->hideLabel();
+        return field;
+    };
+    Field *start = head(addNumber({"sensors", labels.start}, Quantity::temperature, startOf(what, ordinal), 2,
+                                  Allowed::celsius));
+    Field *end = head(
+        addNumber({"sensors", labels.end}, Quantity::temperature, endOf(what, ordinal), 2, Allowed::celsius));
+    if (first) {
+        m_start = start;
+        m_end = end;
+    }
     m_lastSensors[what] = start;
+    if (ordinal > 0 || what == SensorMeasures::notStated)
+        addButton(
+            QT_TR_NOOP("Remove the sensor"),
+            [this, what, ordinal] {
+                edit(QT_TRANSLATE_NOOP("edits", "remove a sensor"), [&](Document &document) {
+                    editTest(document, this->test(),
+                             [&](Test &changed) { removeSensor(*conditionsOf(changed), what, ordinal); });
+                });
+            },
+            3);
+    else if (what == SensorMeasures::air)
+        addWidget(m_expansion = made<QLabel>(trait::secondary, body()), 3);
+    else
+        addNumber({"expansion", QT_TR_NOOP("Expansion α")}, Quantity::expansion,
+                       what == SensorMeasures::machine
+                           ? commonPart<&Conditions::expansion, &Expansion::machine>()
+                           : commonPart<&Conditions::expansion, &Expansion::instrument>(),
+                       3, Allowed::coefficient)
+            ->hideLabel();
+    head(addText({"sensors", QT_TR_NOOP("Sensor position")}, ofSensor<&Sensor::position>(what, ordinal), 3));
 }
 
 void ConditionsPage::addTemperatures(const Conditions &conditions) {
-    addFoldingSection(QT_TR_NOOP("Temperatures"), [this] { return temperatureSummary(); });
+    m_sensorNames.clear();
     for (const SensorMeasures what : kinds) {
-        const std::size_t count = shownSensors(conditions, what);
-        for (std::size_t ordinal = 0; ordinal < count; ++ordinal) {
-            addSensor(what, ordinal);
-            if (ordinal > 0 || what == SensorMeasures::notStated) {
-                addButton(
-                    QT_TR_NOOP("Remove the sensor"),
-                    [this, what, ordinal] {
-                        edit(QT_TRANSLATE_NOOP("edits", "remove a sensor"), [&](Document &document) {
-                            editTest(document, this->test(), [&](Test &changed) {
-                                removeSensor(*conditionsOf(changed), what, ordinal);
-                            });
-                        });
-                    },
-                    3);
-            } else if (what == SensorMeasures::machine) {
-                addNumber({"expansion", QT_TR_NOOP("Expansion α")}, Quantity::expansion,
-                          commonPart<&Conditions::expansion, &Expansion::machine>(), 3, Allowed::coefficient);
-            } else if (what == SensorMeasures::instrument) {
-                addNumber({"expansion", QT_TR_NOOP("Expansion α")}, Quantity::expansion,
-                          commonPart<&Conditions::expansion, &Expansion::instrument>(), 3,
-                          Allowed::coefficient);
-            }
-        }
+        for (std::size_t ordinal = 0; ordinal < shownSensors(conditions, what); ++ordinal)
+            addSensor(what, ordinal, what == kinds.front() && ordinal == 0);
     }
-    addCorrection();
-    addSensorButtons();
-    addThings(FieldForm::Section::room);
-}
-
-/// Adds the correction wide enough for its texts, with its size next to it.
-void ConditionsPage::addCorrection() {
-    beginColumns();
-    addThing("correctionTo20", 5);
-    m_correction = made<QLabel>("correctionSize", TextSize::small, trait::secondary, trait::wrapped, body());
-    m_correction->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_correction->setContentsMargins(0, Field::headHeight, 0, 0); // level with the field, not its label
-    addWidget(m_correction, 7);
-}
-
-void ConditionsPage::addSensorButtons() {
-    beginRow(); // buttons are as wide as their texts
-    const auto addOne = [this](const char *text, SensorMeasures what, const QString &name) {
-        addButton(text, [this, what] {
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(0, 0, 0, 0);
+    const auto addOne = [this, row](const char *text, SensorMeasures what, const QString &name) {
+        QPushButton *button = addLink(text, [this, what] {
             edit(QT_TRANSLATE_NOOP("edits", "add a sensor"), [&](Document &document) {
                 editTest(document, this->test(), [&](Test &changed) {
                     Conditions &kept = *conditionsOf(changed);
@@ -303,221 +366,42 @@ void ConditionsPage::addSensorButtons() {
                 });
             });
             focusPart(*m_lastSensors.at(what));
-        })->setObjectName(name);
+        });
+        button->setObjectName(name);
+        row->addWidget(button);
     };
-    addOne(QT_TR_NOOP("Another air sensor"), SensorMeasures::air, QStringLiteral("addAirSensor"));
-    addOne(QT_TR_NOOP("Another machine sensor"), SensorMeasures::machine, QStringLiteral("addMachineSensor"));
-    addOne(QT_TR_NOOP("Another instrument sensor"), SensorMeasures::instrument,
-           QStringLiteral("addInstrumentSensor"));
-    addWidget(new QWidget(body()));
+    addOne(QT_TR_NOOP("+ air"), SensorMeasures::air, QStringLiteral("addAirSensor"));
+    addOne(QT_TR_NOOP("+ machine"), SensorMeasures::machine, QStringLiteral("addMachineSensor"));
+    addOne(QT_TR_NOOP("+ instrument"), SensorMeasures::instrument, QStringLiteral("addInstrumentSensor"));
+    m_correction = made<ElidedLabel>("correctionSize", TextSize::small, trait::secondary, body());
+    row->addWidget(m_correction, 1);
+    addToGroup(row);
 }
 
-/// Linear and rotary axes alike: statements needed for a laser and for room temperature drift.
-void ConditionsPage::addAir(const PositioningMeasurement & /*measurement*/) {
-    addThings(FieldForm::Section::air);
-    beginColumns();
-    addThing("gradientHoursBefore", 6);
-    addNumber({"gradient", QT_TR_NOOP("Agreed limit of the gradient")}, Quantity::gradient,
-              agreedValue("gradient"), 6);
-}
-
-void ConditionsPage::addCycle(const PositioningMeasurement & /*measurement*/) {
-    for (const char *thing : {"feed", "feedMode", "dwell", "approachDistance"})
-        addThing(thing, 3);
-}
-
-void ConditionsPage::addCycle(const CircularMeasurement & /*measurement*/) {
-    addNumber({"feed", QT_TR_NOOP("Contouring feed")}, Quantity::feed, circular<&CircularMeasurement::feed>(),
-              4);
-    addThings(FieldForm::Section::circle, 4);
-}
-
-void ConditionsPage::addWarmUp() {
-    beginColumns();
-    addWords("warmUp", commonPart<&Conditions::warmUp, &WarmUp::kind>(), 6);
-    addText({"", QT_TR_NOOP("Warm-up, details")}, commonPart<&Conditions::warmUp, &WarmUp::text>(), 6);
-}
-
-void ConditionsPage::addSpecifiedBy(int width) {
-    beginColumns();
-    addChoice({"warmUp", QT_TR_NOOP("Warm-up specified by")},
-              {QT_TR_NOOP("not stated"), QT_TR_NOOP("the maker"), QT_TR_NOOP("agreement")},
-              choiceOf<SpecifiedBy>(commonPart<&Conditions::warmUp, &WarmUp::specifiedBy>(),
-                                    {SpecifiedBy::notStated, SpecifiedBy::maker, SpecifiedBy::agreement}),
-              true, width);
-}
-
-void ConditionsPage::addAgreedCycle(const PositioningMeasurement &measurement) {
-    const bool isRotary = measurement.axis.motion == Motion::rotary;
-    const int width = isRotary ? 4 : 6; // three or two in a row
-    addSpecifiedBy(width);
-    addNumber({"feed", QT_TR_NOOP("Agreed feed rate")}, feedQuantity(*shownTest()), agreedValue("feed"),
-              width);
-    if (isRotary)
-        addThing("continuousDevice", width);
-}
-
-void ConditionsPage::addAgreedCycle(const CircularMeasurement & /*measurement*/) {
-    addSpecifiedBy(4);
-    addNumber({"", QT_TR_NOOP("Specified diameter")}, Quantity::position,
-              circular<&CircularMeasurement::specified, &SpecifiedCircle::diameter>(), 4, Allowed::positive);
-    addNumber({"", QT_TR_NOOP("Specified feed")}, Quantity::feed,
-              circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), 4, Allowed::positive);
-}
-
-void ConditionsPage::addDeclarations(const Edition *edition) {
-    addFoldingSection(QT_TR_NOOP("Declarations"), [this] { return declarationSummary(); });
-    addSectionButton(QT_TR_NOOP("All of these apply"), [this] {
+/// Answers all that is not declared with yes.
+void ConditionsPage::addAllApply(int columns) {
+    auto *button = addLink(QT_TR_NOOP("All of these apply"), [this] {
         edit(QT_TRANSLATE_NOOP("edits", "declare what was not declared"), [&](Document &document) {
             editTest(document, this->test(), [](Test &changed) {
-                for (const Declaration &declaration : declarations)
-                    setFieldValue(changed, declaration.key,
-                                  std::optional(declared(changed, declaration).value_or(true)));
+                for (const std::string_view key : declarationKeys()) {
+                    const auto declared = std::get<std::optional<bool>>(fieldValue(changed, key));
+                    setFieldValue(changed, key, std::optional(declared.value_or(true)));
+                }
             });
         });
-    })->setObjectName(QStringLiteral("allApply"));
-    std::vector<std::string> clauses;
-    for (const Declaration &declaration : declarations) {
-        const std::string clause = edition ? clauseOf(*edition, declaration.id) : std::string();
-        if (std::ranges::find(clauses, clause) == clauses.end())
-            clauses.push_back(clause);
-    }
-    for (const std::string &clause : clauses)
-        addDeclarationsOf(edition, clause);
-    beginColumns();
-    addText({"", QT_TR_NOOP("Rest of the requirements declared met by")},
-            ofTest([](auto &test) { return &test.declaredAccordance.by; }), 6);
-    addDate({"", QT_TR_NOOP("Declared on")}, ofTest([](auto &test) { return &test.declaredAccordance.date; }),
-            6);
-    beginColumns();
-    addText({"", QT_TR_NOOP("Text of the declaration")},
-            ofTest([](auto &test) { return &test.declaredAccordance.text; }), 12);
+    });
+    button->setObjectName(QStringLiteral("allApply"));
+    addWidget(button, columns);
 }
 
-/// The declarations of one clause next to its number, two per row because of their long labels.
-void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string &clause) {
-    constexpr int inRow = 2;
-    int count = 0;
-    for (const Declaration &declaration : declarations) {
-        if (clause != (edition ? clauseOf(*edition, declaration.id) : std::string()))
-            continue;
-        const bool begins = count++ % inRow == 0;
-        if (begins) {
-            beginColumns();
-            if (!clause.empty()) {
-                auto *label = new QLabel(count == 1 ? QString::fromStdString(clause) : QString(), body());
-                label->setProperty("secondary", true);
-                addWidget(label);
-            }
-        }
-        addThing(declaration.key, begins && !clause.empty() ? 5 : 6);
-    }
-}
-
-void ConditionsPage::addPositions() {
-    constexpr auto position = Quantity::position;
-    addFoldingSection(QT_TR_NOOP("Positions"));
-    addThings(FieldForm::Section::positions);
-    beginColumns();
-    addNumber({"toolOffset", QT_TR_NOOP("Offset to tool, X")}, position,
-              coordinate<&Conditions::toolOffset, 0>(), 4);
-    addNumber({"toolOffset", QT_TR_NOOP("Offset to tool, Y")}, position,
-              coordinate<&Conditions::toolOffset, 1>(), 4);
-    addNumber({"toolOffset", QT_TR_NOOP("Offset to tool, Z")}, position,
-              coordinate<&Conditions::toolOffset, 2>(), 4);
-    beginColumns();
-    addNumber({"workpieceOffset", QT_TR_NOOP("Offset to workpiece, X")}, position,
-              coordinate<&Conditions::workpieceOffset, 0>(), 4);
-    addNumber({"workpieceOffset", QT_TR_NOOP("Offset to workpiece, Y")}, position,
-              coordinate<&Conditions::workpieceOffset, 1>(), 4);
-    addNumber({"workpieceOffset", QT_TR_NOOP("Offset to workpiece, Z")}, position,
-              coordinate<&Conditions::workpieceOffset, 2>(), 4);
-}
-
-void ConditionsPage::addPlace(const CircularMeasurement & /*measurement*/) {
-    constexpr auto position = Quantity::position;
-    const auto centre = []<std::size_t axis>() {
-        return circular<&CircularMeasurement::conditions, &CircularConditions::centre, axis>();
-    };
-    beginColumns();
-    addNumber({"centre", QT_TR_NOOP("Centre of the circle, X")}, position, centre.operator()<0>(), 4);
-    addNumber({"centre", QT_TR_NOOP("Centre of the circle, Y")}, position, centre.operator()<1>(), 4);
-    addNumber({"centre", QT_TR_NOOP("Centre of the circle, Z")}, position, centre.operator()<2>(), 4);
-    addThings(FieldForm::Section::points);
-}
-
-void ConditionsPage::addTestAndPurpose() {
-    addFoldingSection(QT_TR_NOOP("Test and axis"));
-    beginColumns();
-    addText({"", QT_TR_NOOP("Title of the test")}, ofTest([](auto &test) { return &test.title; }), 5);
-    addDate("date", ofTest([](auto &test) { return &test.date; }), 4);
-    addTime({"", QT_TR_NOOP("Time")}, ofTest([](auto &test) { return &test.time; }), 3);
-    beginColumns();
-    addThing("purpose", 6);
-    addThing("role", 6);
-    addInstruments();
-}
-
-void ConditionsPage::addAxis(const CircularMeasurement & /*measurement*/) {
-    beginColumns();
-    addThing("positionFeedback", 6);
-    addYesNo({"referenceLength", QT_TR_NOOP("Reference length calibrated")},
-             circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
-}
-
-void ConditionsPage::addAxis(const PositioningMeasurement &measurement) {
-    using Measurement = PositioningMeasurement;
-    const Quantity position = positionQuantity(measurement.axis);
-    beginColumns();
-    addText({"name", QT_TR_NOOP("Axis")}, positioning<&Measurement::axis, &Axis::name>(), 2);
-    addChoice(
-        {"", QT_TR_NOOP("Motion")}, {QT_TR_NOOP("linear"), QT_TR_NOOP("rotary")},
-        choiceOf<Motion>(positioning<&Measurement::axis, &Axis::motion>(), {Motion::linear, Motion::rotary}),
-        false, 3);
-    addNumber("travel", position, positioning<&Measurement::axis, &Axis::travel>(), 3, Allowed::positive);
-    addInterval("range", position, positioning<&Measurement::axis, &Axis::range>(), 4);
-    beginColumns();
-    addText("positionFeedback", positioning<&Measurement::axis, &Axis::positionFeedback>(), 4);
-    addInterval("zone", position, positioning<&Measurement::zone>(), 4);
-    addThing("referencePosition", 4);
-    addTargets(measurement);
-}
-
-void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
-    using Measurement = PositioningMeasurement;
-    const Quantity position = positionQuantity(measurement.axis);
-    beginColumns();
-    addWords("targetChoice", positioning<&Measurement::targetChoice, &TargetChoice::kind>(), 4);
-    addNumber({"", QT_TR_NOOP("Nominal interval")}, position,
-              positioning<&Measurement::targetChoice, &TargetChoice::interval>(), 4);
-    addNumber({"", QT_TR_NOOP("Period of the error")}, position,
-              positioning<&Measurement::targetChoice, &TargetChoice::period>(), 4);
-    beginColumns();
-    addNumber({"faces", QT_TR_NOOP("Faces of the polygon, number")}, Quantity::count, faces(), 6,
-              Allowed::positive);
-    if (measurement.axis.motion == Motion::linear)
-        addNumber({"scaleElement", QT_TR_NOOP("Element of the scale (0: continuous)")}, position,
-                  positioning<&Measurement::axis, &Axis::scaleElement>(), 6, Allowed::notNegative);
-    beginColumns();
-    addThing("cycle", 6);
-    if (m_built.contains(QStringLiteral(" range"))) {
-        addChoice({"", QT_TR_NOOP("Standard deviation")},
-                  {QT_TR_NOOP("by calculation"), QT_TR_NOOP("by the range method")},
-                  choiceOf<DeviationMethod>(positioning<&Measurement::standardDeviation>(),
-                                            {DeviationMethod::calculation, DeviationMethod::range}),
-                  false, 6);
-    }
-}
-
-/// Checkboxes for the instruments used in the test.
+/// Check boxes for the instruments used in the test.
 void ConditionsPage::addInstruments() {
-    const auto &instruments = evaluated().document->instruments;
-    if (instruments.empty())
-        return;
-    for (const Instrument &instrument : instruments) {
-        beginColumns();
+    for (const Instrument &instrument : evaluated().document->instruments) {
         auto *box = made<QCheckBox>(QStringLiteral("uses.") + QString::fromStdString(instrument.id), body());
-        addWidget(box, 12);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        auto *cell = new QWidget(body());
+        inColumn(cell, {0, Field::headHeight - 4, 0, 0}, 0, {box});
+        addWidget(cell, m_instruments.empty() ? 7 : 6);
         m_instruments.push_back(box);
         connect(box, &QCheckBox::clicked, this, [this, id = instrument.id](bool used) {
             edit(QT_TRANSLATE_NOOP("edits", "change the instruments of the test"), [&](Document &document) {
@@ -529,47 +413,6 @@ void ConditionsPage::addInstruments() {
             });
         });
     }
-    sectionNeeds("instruments");
-}
-
-/// The first sensor of each kind.
-QString ConditionsPage::temperatureSummary() const {
-    const Test *shown = shownTest();
-    const Conditions *conditions = shown ? conditionsOf(*shown) : nullptr;
-    QStringList parts;
-    for (const SensorMeasures what : kinds) {
-        const Sensor *sensor = conditions ? sensorOf(*conditions, what, 0) : nullptr;
-        const auto start = sensor ? startTemperature(*sensor) : std::nullopt;
-        const auto end = sensor ? endTemperature(*sensor) : std::nullopt;
-        if (!start && !end)
-            continue;
-        const double from = start.value_or(end.value_or(0));
-        const double until = end.value_or(from);
-        const QString last = language().quantity(until, Quantity::temperature);
-        const QString range =
-            from == until ? last
-                          : language().number(from, Quantity::temperature) + QStringLiteral(" … ") + last;
-        parts << (what == SensorMeasures::air          ? tr("air %1").arg(range)
-                  : what == SensorMeasures::machine    ? tr("machine %1").arg(range)
-                  : what == SensorMeasures::instrument ? tr("instrument %1").arg(range)
-                                                       : range);
-    }
-    return parts.join(QStringLiteral(" · "));
-}
-
-/// Lists declarations that do not apply by name and counts the others.
-QString ConditionsPage::declarationSummary() const {
-    const Test *shown = shownTest();
-    QStringList parts;
-    int apply = 0;
-    for (const Declaration &declaration : declarations) {
-        const std::optional<bool> applies = shown ? declared(*shown, declaration) : std::nullopt;
-        apply += applies == true;
-        if (applies == false)
-            parts << tr("%1: no").arg(word(statedThing(declaration.key)->name.source));
-    }
-    parts << tr("%1 of %2 apply").arg(apply).arg(declarations.size());
-    return parts.join(QStringLiteral(" · "));
 }
 
 bool ConditionsPage::focusField(const QString &id) {
@@ -584,11 +427,24 @@ void ConditionsPage::refreshOthers() {
     const Test *shown = shownTest();
     if (shown && m_correction) {
         const QString size = correctionSizeText(*shown, language());
-        m_correction->setVisible(motionOf(*shown) == Motion::linear);
-        m_correction->setText(size.isEmpty()
-                                  ? tr("Its size is known when temperatures and expansions are stated.")
+        m_correction->setText(size.isEmpty() || motionOf(*shown) != Motion::linear
+                                  ? QString()
                                   : tr("Correction to 20 °C: %1.").arg(size));
+        m_start->setHeading(tr("Start"));
+        m_end->setHeading(tr("End"));
+        m_expansion->setText(word("Expansion α"));
+        m_expansion->setFont(themeFont(TextSize::small));
+        m_expansion->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+        for (const auto &[name, what, argument] : m_sensorNames)
+            name->setText((what == SensorMeasures::air          ? tr("Air")
+                           : what == SensorMeasures::machine    ? tr("Machine")
+                           : what == SensorMeasures::instrument ? tr("Instrument")
+                                                                : tr("Unassigned")) +
+                          (argument.isEmpty() ? argument : QChar(u'\u00A0') + argument));
     }
+    const Edition *edition = shown ? evaluated().tests[test()]->edition : nullptr;
+    for (const auto &[key, field] : m_clauses)
+        field->setUnit(edition ? QString::fromStdString(clauseOfDeclaration(*edition, key)) : QString());
     const auto &instruments = evaluated().document->instruments;
     for (std::size_t i = 0; shown && i < m_instruments.size() && i < instruments.size(); ++i) {
         const QString name = QString::fromStdString(

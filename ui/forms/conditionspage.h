@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/conditionsform.h"
 #include "ui/forms/form.h"
 #include "ui/qtforward.h"
 
 #include <map>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace palmer::ui {
 
-/// The conditions of a test: temperatures, cycle, positions, the axis and its targets.
+class ElidedLabel;
+
+/// The conditions of a test: what its edition asks for in one grid, what is usual or free folded below it.
 class ConditionsPage : public Form {
     Q_OBJECT
 
@@ -22,41 +28,34 @@ public:
 protected:
     void prepare() override;
     void refreshOthers() override;
+    void showEvent(QShowEvent *event) override;
 
 private:
+    void order(std::vector<FormGroup> &groups);
+    void addGroups(const std::vector<FormGroup> &groups);
+    void addCell(const FormCell &cell);
     void addTemperatures(const Conditions &conditions);
-    void addCorrection();
-    void addSensorButtons();
-    template <class Measurement>
-    void addFields(const Measurement &measurement);
-    // Statements specific to a kind of test.
-    void addAir(const PositioningMeasurement &measurement);
-    void addAir(const CircularMeasurement & /*measurement*/) {}
-    void addCycle(const PositioningMeasurement &measurement);
-    void addCycle(const CircularMeasurement &measurement);
-    void addAgreedCycle(const PositioningMeasurement &measurement);
-    void addAgreedCycle(const CircularMeasurement &measurement);
-    void addPlace(const PositioningMeasurement & /*measurement*/) {}
-    void addPlace(const CircularMeasurement &measurement);
-    void addAxis(const PositioningMeasurement &measurement);
-    void addAxis(const CircularMeasurement &measurement);
-    void addSensor(SensorMeasures what, std::size_t ordinal);
-    void addWarmUp();
-    void addSpecifiedBy(int width);
-    /// Requirements met only by declarations, by clause of the edition, with a button to answer the rest with
-    /// yes.
-    void addDeclarations(const Edition *edition);
-    void addDeclarationsOf(const Edition *edition, const std::string &clause);
-    [[nodiscard]] QString temperatureSummary() const;
-    [[nodiscard]] QString declarationSummary() const;
-    void addPositions();
-    void addTestAndPurpose();
-    void addTargets(const PositioningMeasurement &measurement);
+    void addSensor(SensorMeasures what, std::size_t ordinal, bool first);
+    void addAllApply(int columns);
     void addInstruments();
 
-    QString m_built; ///< the kind of test the fields were built for
+    struct SensorName {
+        QLabel *name = nullptr;
+        SensorMeasures what = SensorMeasures::notStated;
+        QString argument; ///< number of a further sensor
+    };
+
+    QString m_built;               ///< what the fields were built for
+    std::set<std::string> m_first; ///< groups that come first, by name
+    QString m_ordered;             ///< test and edition they were found for
+    bool m_isOrderDue = true;      ///< the page came into view
     std::vector<QCheckBox *> m_instruments;
-    QLabel *m_correction = nullptr;                  ///< size of the correction to 20 °C
+    std::vector<SensorName> m_sensorNames;
+    std::map<std::string, Field *> m_clauses;        ///< declarations by key, each with its clause
+    ElidedLabel *m_correction = nullptr;             ///< size of the correction to 20 °C
+    Field *m_start = nullptr;                        ///< heads of the columns of temperatures
+    Field *m_end = nullptr;
+    QLabel *m_expansion = nullptr;
     std::map<SensorMeasures, Field *> m_lastSensors; ///< the first field of the last sensor of each kind
 };
 

@@ -10,6 +10,7 @@
 #include "ui/theme.h"
 
 #include <QAbstractScrollArea>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QKeyEvent>
@@ -18,6 +19,7 @@
 #include <QPainter>
 #include <QPlainTextEdit>
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace palmer::ui {
@@ -25,6 +27,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int linesHeight = 66;
+constexpr int denseHeight = 26;
 constexpr int labelGap = 4;
 constexpr int labelHeight = Field::headHeight - labelGap;
 constexpr int barWidth = 4;
@@ -58,6 +61,26 @@ protected:
     }
 };
 
+/// Goes from not stated to yes, no, and back.
+class AnswerBox : public QCheckBox {
+public:
+    explicit AnswerBox(QWidget *parent)
+        : QCheckBox(parent) {
+        setTristate(true);
+        setCheckState(Qt::PartiallyChecked);
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+
+protected:
+    void nextCheckState() override {
+        setCheckState(checkState() == Qt::PartiallyChecked ? Qt::Checked
+                      : checkState() == Qt::Checked        ? Qt::Unchecked
+                                                           : Qt::PartiallyChecked);
+    }
+};
+
+constexpr std::array answers{Qt::PartiallyChecked, Qt::Checked, Qt::Unchecked};
+
 /// Beginning of a long text, enough to recognise it.
 QString beginningOf(const QString &text) {
     constexpr qsizetype enough = 60;
@@ -70,6 +93,7 @@ Field::Field(Kind kind, QWidget *parent)
     : Translated(parent)
     , m_kind(kind)
     , m_most(kind == Kind::longText ? mostOfText : mostOfLine)
+    , m_height(fieldHeight)
     , m_label(made<ElidedLabel>(trait::secondary, this))
     , m_mark(new QLabel(this)) {
     QWidget *edit = nullptr;
@@ -78,6 +102,9 @@ Field::Field(Kind kind, QWidget *parent)
         m_choice->setFixedHeight(fieldHeight);
         m_choice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         connect(m_choice, &QComboBox::activated, this, &Field::entered);
+    } else if (kind == Kind::answer) {
+        edit = m_answer = new AnswerBox(this);
+        connect(m_answer, &QCheckBox::clicked, this, &Field::entered);
     } else if (kind == Kind::longText) {
         edit = m_lines = new QPlainTextEdit(this);
         m_lines->setFixedHeight(linesHeight);
@@ -93,7 +120,7 @@ Field::Field(Kind kind, QWidget *parent)
         connect(m_line, &QLineEdit::returnPressed, this, &Field::finish);
     }
     edit->installEventFilter(this);
-    m_unit = made<QLabel>(trait::secondary, edit);
+    m_unit = made<QLabel>(trait::secondary, m_answer ? this : edit);
     m_bar = new RequiredBar(edit);
     m_label->setFixedHeight(labelHeight);
     m_label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -103,8 +130,13 @@ Field::Field(Kind kind, QWidget *parent)
     m_unit->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_bar->setAttribute(Qt::WA_TransparentForMouseEvents);
     makeReason();
-    auto *head = inRow(styleSpacing, {{m_label, 1}, m_mark});
-    inColumn(this, noMargins, labelGap, {head, edit, Placed::stretch()});
+    if (m_answer) {
+        m_label->hide();
+        inRow(this, noMargins, labelGap, {{m_answer, 1}, m_mark, m_unit});
+    } else {
+        auto *head = inRow(styleSpacing, {{m_label, 1}, m_mark});
+        inColumn(this, noMargins, labelGap, {head, edit, Placed::stretch()});
+    }
     setFocusProxy(edit);
     retranslate();
 }
@@ -124,16 +156,23 @@ Field::~Field() {
 }
 
 QWidget *Field::edit() const {
-    return m_line ? static_cast<QWidget *>(m_line) : m_lines ? static_cast<QWidget *>(m_lines) : m_choice;
+    return m_line     ? static_cast<QWidget *>(m_line)
+           : m_lines  ? static_cast<QWidget *>(m_lines)
+           : m_answer ? static_cast<QWidget *>(m_answer)
+                      : m_choice;
 }
 
 QString Field::text() const {
     if (m_choice)
         return m_none && m_choice->currentIndex() <= 0 ? QString() : m_choice->currentText();
+    if (m_answer)
+        return m_words.value(choice());
     return m_line ? m_line->text() : m_lines->toPlainText();
 }
 
 int Field::choice() const {
+    if (m_answer)
+        return static_cast<int>(std::ranges::find(answers, m_answer->checkState()) - answers.begin());
     return m_choice ? m_choice->currentIndex() : -1;
 }
 
@@ -174,6 +213,11 @@ void Field::setReader(Reader reader) {
 
 void Field::setChoices(const QStringList &words, bool none) {
     m_none = none;
+    if (m_answer) {
+        m_words = words;
+        m_words.front().clear(); // states nothing
+        return;
+    }
     const int current = m_choice->currentIndex();
     m_choice->clear();
     m_choice->addItems(words);
@@ -226,7 +270,10 @@ void Field::setRequired(bool required) {
 }
 
 void Field::showChoice(int index, bool required) {
-    m_choice->setCurrentIndex(index);
+    if (m_answer)
+        m_answer->setCheckState(answers.at(static_cast<std::size_t>(std::max(0, index))));
+    else
+        m_choice->setCurrentIndex(index);
     m_required = required;
     retranslate();
 }
@@ -259,6 +306,14 @@ void Field::setBare() {
     m_bare = true;
     m_label->hide();
     retranslate();
+}
+
+void Field::setDense() {
+    m_height = denseHeight;
+    edit()->setProperty("dense", true);
+    if (!m_lines)
+        edit()->setFixedHeight(m_answer ? m_answer->sizeHint().height() : m_height);
+    layout()->setSpacing(m_answer ? labelGap : 0);
 }
 
 void Field::hideLabel() {
@@ -307,7 +362,13 @@ void Field::restore() {
 
 void Field::placeParts() {
     QWidget *shown = edit();
-    const int height = m_lines ? linesHeight : fieldHeight;
+    if (m_answer) {
+        m_bar->hide();
+        m_mark->setText(m_required ? QStringLiteral("●") : QString());
+        m_mark->setToolTip(tr("required"));
+        return;
+    }
+    const int height = m_lines ? linesHeight : m_height;
     const int unitWidth = m_unit->text().isEmpty() ? 0 : m_unit->sizeHint().width() + 6;
     if (m_line)
         m_line->setTextMargins(m_required ? barWidth : 0, 0, unitWidth, 0);
@@ -364,6 +425,8 @@ QString Field::description() const {
         return m_reason->text();
     if (m_required)
         return tr("required, not stated");
+    if (m_answer && !text().isEmpty())
+        return text();
     if (!text().isEmpty())
         return m_unit->text();
     return m_placeholder.isEmpty() ? tr("not stated") : m_placeholder;
@@ -379,6 +442,8 @@ void Field::retranslate() {
                               ? m_labelSource
                               : m_labelSource.arg(m_labelArgument);
     m_label->setText(m_heading.isEmpty() ? label : m_heading);
+    if (m_answer)
+        m_answer->setText(QString(choice() == 2 ? tr("%1: no").arg(label) : label).replace(u'&', QStringLiteral("&&")));
     m_mark->setVisible(m_required && !m_bare && !m_labelHidden);
     const QString placeholder = !m_placeholder.isEmpty()                              ? m_placeholder
                                 : m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
@@ -410,7 +475,7 @@ bool Field::eventFilter(QObject *watched, QEvent *event) {
             event->ignore();
             return true;
         }
-    } else if (event->type() == QEvent::KeyPress && !m_choice) {
+    } else if (event->type() == QEvent::KeyPress && !m_choice && !m_answer) {
         const auto *key = static_cast<QKeyEvent *>(event);
         if (key->key() == Qt::Key_Escape && (m_isTyped || isRefused())) {
             restore();

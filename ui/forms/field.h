@@ -21,7 +21,8 @@ class Field : public Translated<QWidget, QEvent::FontChange, QEvent::PaletteChan
     Q_OBJECT
 
 public:
-    enum class Kind { text, longText, number, choice };
+    /// answer: yes, no or not stated, as a check box with its label beside it; unchecked is no.
+    enum class Kind { text, longText, number, choice, answer };
 
     /// The value of a typed text in canonical form, or why it is refused ("not a number").
     struct Reading {
@@ -66,6 +67,8 @@ public:
     void reread();
     /// Hides label and reason, for use where both are shown elsewhere; the label remains the accessible name.
     void setBare();
+    /// Places the label close to a lower field.
+    void setDense();
     /// Hides only the label, as in a table of fields with a header row.
     void hideLabel();
 
@@ -112,6 +115,7 @@ private:
     Kind m_kind;
     Reader m_reader;
     std::size_t m_most;
+    int m_height; ///< of the line, pixels
     std::optional<QString> m_ofNothing; ///< the value of the emptied field, until it is left
     bool m_bare = false;
     bool m_labelHidden = false;
@@ -130,6 +134,8 @@ private:
     QLineEdit *m_line = nullptr;
     QPlainTextEdit *m_lines = nullptr;
     QComboBox *m_choice = nullptr;
+    QCheckBox *m_answer = nullptr;
+    QStringList m_words; ///< of an answer
     QLabel *m_unit;
     QWidget *m_bar;
     QPointer<QWidget> m_reasonRow; ///< child of a surrounding widget, painted over it

@@ -8,6 +8,7 @@
 #include "document/statedthings.h"
 #include "ui/chip.h"
 #include "ui/forms/columnslayout.h"
+#include "ui/forms/grouplayout.h"
 #include "ui/forms/sectionhead.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
@@ -30,6 +31,8 @@ namespace palmer::ui {
 namespace {
 
 constexpr int fieldGap = 12;
+constexpr int groupGap = 8; ///< between the fields of a group
+constexpr int rowGap = 4;   ///< between its rows
 constexpr int sectionGap = 18;
 constexpr int barHeight = 28;
 constexpr int mostWidth = 720; ///< of the fields; wider ones are no easier to read
@@ -89,16 +92,17 @@ void Form::addSection(const char *title, const QString &argument) {
     m_head = inRow(styleSpacing, {label, Placed::stretch()});
     m_body->addLayout(m_head);
     m_titles.push_back({label, title, argument});
-    m_sections.push_back({nullptr, nullptr, title, {}, {}, {}, m_entries.size()});
+    m_sections.push_back({nullptr, nullptr, title, {}, {}, m_entries.size()});
 }
 
 void Form::addFoldingSection(const char *title, std::function<QString()> summary) {
     if (!m_sections.empty())
         m_body->addSpacing(sectionGap - fieldGap);
     auto *head = made<SectionHead>(QStringLiteral("section.") + QString::fromLatin1(title), page());
+    m_group = nullptr;
     m_head = inRow(styleSpacing, {{head, 1}});
     m_body->addLayout(m_head);
-    m_sections.push_back({head, nullptr, title, std::move(summary), {}, {}, m_entries.size()});
+    m_sections.push_back({head, nullptr, title, std::move(summary), {}, m_entries.size()});
     connect(head, &QAbstractButton::clicked, this, [this, place = m_sections.size() - 1] {
         const Section &section = m_sections[place];
         fold(section, !section.head->isFolded());
@@ -107,11 +111,16 @@ void Form::addFoldingSection(const char *title, std::function<QString()> summary
     });
 }
 
-QPushButton *Form::addSectionButton(const char *text, std::function<void()> pressed) {
-    auto *button = made<QPushButton>(trait::link, trait::notDefault, page());
+QPushButton *Form::addLink(const char *text, std::function<void()> pressed) {
+    auto *button = made<QPushButton>(trait::link, trait::notDefault, body());
     connect(button, &QPushButton::clicked, this, [pressed = std::move(pressed)] { pressed(); });
-    addToSection(button);
     m_buttons.push_back({button, text});
+    return button;
+}
+
+QPushButton *Form::addSectionButton(const char *text, std::function<void()> pressed) {
+    QPushButton *button = addLink(text, std::move(pressed));
+    addToSection(button);
     return button;
 }
 
@@ -133,6 +142,8 @@ QPushButton *Form::addButton(const char *text, std::function<void()> pressed, in
 }
 
 void Form::addWidget(QWidget *widget, int weight) {
+    if (m_group && (!m_columns || m_columns->taken() + weight > ColumnsLayout::columns))
+        beginColumns();
     if (m_columns)
         m_columns->add(widget, weight);
     else
@@ -141,6 +152,26 @@ void Form::addWidget(QWidget *widget, int weight) {
         widget->show(); // the layout would do this only after the focus was set
     if (!m_columns)
         m_row->setColumnStretch(m_column++, weight);
+}
+
+void Form::beginGroup(const char *name) {
+    auto *label = new QLabel(body());
+    label->setWordWrap(true);
+    m_titles.push_back({label, name, {}});
+    if (!m_group) {
+        m_groups = inColumn(rowGap, {});
+        m_groups->setContentsMargins(noMargins);
+        addToPlace(m_groups);
+    }
+    m_group = new GroupLayout(label, rowGap);
+    m_groups->addLayout(m_group);
+    m_row = nullptr;
+    m_columns = nullptr;
+}
+
+void Form::addToGroup(QLayout *row) {
+    m_columns = nullptr;
+    m_group->addRow(row);
 }
 
 void Form::beginRow() {
@@ -152,8 +183,11 @@ void Form::beginRow() {
 }
 
 void Form::beginColumns() {
-    m_columns = new ColumnsLayout(fieldGap);
-    addToPlace(m_columns);
+    m_columns = new ColumnsLayout(m_group ? groupGap : fieldGap);
+    if (m_group)
+        m_group->addRow(m_columns);
+    else
+        addToPlace(m_columns);
 }
 
 void Form::addToPlace(QLayout *row) {
@@ -179,6 +213,8 @@ Form::Topic::Topic(const char *thing)
 
 Field *Form::add(Field::Kind kind, const Topic &topic, const QString &unit, int weight) {
     auto *field = new Field(kind, body());
+    if (m_group)
+        field->setDense();
     field->setUnit(unit);
     field->edit()->setObjectName(QStringLiteral("field.") + QString::fromLatin1(topic.key) + u'.' +
                                  QString::number(m_entries.size()));
@@ -315,13 +351,13 @@ Field *Form::addChoice(const Topic &topic, const std::vector<const char *> &word
     return addChoiceOf(topic, std::move(texts), std::move(member), none, weight);
 }
 
-Field *Form::addWordsOf(const char *thing, Member<std::size_t> member, int weight) {
-    const auto words = statedThing(thing)->form.words;
+Field *Form::addWordsOf(const Topic &topic, Member<std::size_t> member, int weight) {
+    const auto words = statedThing(topic.key)->form.words;
     std::vector<Text> texts(words.begin(), words.end());
     const bool none = texts.front().empty();
     if (none)
         texts.front() = {QT_TR_NOOP("not stated"), ""};
-    return addChoiceOf(thing, std::move(texts),
+    return addChoiceOf(topic, std::move(texts),
                        converted<int, std::size_t>(
                            std::move(member),
                            [](const std::size_t &place) { return static_cast<int>(place); },
@@ -345,43 +381,28 @@ Member<T> memberOfTest(const char *key) {
 
 } // namespace
 
-Field *Form::addThing(const char *thing, int weight) {
+Field *Form::addThing(const Topic &topic, int weight) {
+    const char *thing = topic.key;
     const FieldValue value = fieldValue(*shownTest(), thing);
     if (std::holds_alternative<std::string>(value))
-        return addText(thing, memberOfTest<std::string>(thing), weight);
+        return addText(topic, memberOfTest<std::string>(thing), weight);
     if (std::holds_alternative<std::optional<bool>>(value))
-        return addYesNo(thing, memberOfTest<std::optional<bool>>(thing), weight);
+        return addYesNo(topic, memberOfTest<std::optional<bool>>(thing), weight);
     if (std::holds_alternative<std::size_t>(value))
-        return addWordsOf(thing, memberOfTest<std::size_t>(thing), weight);
+        return addWordsOf(topic, memberOfTest<std::size_t>(thing), weight);
     if (!std::holds_alternative<Amount>(value))
         return nullptr;
     const unsigned demands = fieldDemands(*shownTest(), thing);
-    return addNumber(thing, quantityOf(*statedThing(thing), motionOf(*shownTest())),
+    return addNumber(topic, quantityOf(*statedThing(thing), motionOf(*shownTest())),
                      memberOfTest<Amount>(thing), weight,
                      (demands & positive) != 0      ? Allowed::positive
                      : (demands & notNegative) != 0 ? Allowed::notNegative
                                                     : Allowed::any);
 }
 
-void Form::addThings(FieldForm::Section section, int taken) {
-    constexpr int columns = 12;
-    for (const StatedThing &thing : statedThings()) {
-        const bool isThere =
-            thing.form.section == section && fieldValue(*shownTest(), thing.key).index() != 0;
-        if (!isThere)
-            continue;
-        if (taken + thing.form.columns > columns) {
-            beginColumns();
-            taken = 0;
-        }
-        addThing(thing.key.data(), thing.form.columns);
-        taken += thing.form.columns;
-    }
-}
-
 Field *Form::addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int> member, bool none,
-                         int weight) {
-    Field *field = add(Field::Kind::choice, topic, {}, weight);
+                         int weight, Field::Kind kind) {
+    Field *field = add(kind, topic, {}, weight);
     last().words = std::move(words);
     last().none = none;
     last().choice = std::move(member.read);
@@ -393,11 +414,15 @@ Field *Form::addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int
     return field;
 }
 
-Field *Form::addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight) {
+Field *Form::addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight, Field::Kind kind) {
     using Answer = std::optional<bool>;
-    return addChoice(topic, {QT_TR_NOOP("not stated"), QT_TR_NOOP("yes"), QT_TR_NOOP("no")},
-                     choiceOf<Answer>(std::move(member), {Answer(), Answer(true), Answer(false)}), true,
-                     weight);
+    return addChoiceOf(topic, {{QT_TR_NOOP("not stated"), ""}, {QT_TR_NOOP("yes"), ""}, {QT_TR_NOOP("no"), ""}},
+                       choiceOf<Answer>(std::move(member), {Answer(), Answer(true), Answer(false)}), true,
+                       weight, kind);
+}
+
+Field *Form::addAnswer(const Topic &topic, int weight) {
+    return addYesNo(topic, memberOfTest<std::optional<bool>>(topic.key), weight, Field::Kind::answer);
 }
 
 void Form::addStretch() {
@@ -526,6 +551,7 @@ void Form::clear() {
     m_sections.clear();
     m_row = nullptr;
     m_columns = nullptr;
+    m_group = nullptr;
     m_head = nullptr;
     m_isRebuilt = true;
     removeItems(*m_body);
@@ -603,11 +629,8 @@ std::span<const Form::Entry> Form::fieldsOf(const Section &section) const {
 }
 
 int Form::countMissingIn(const Section &section) const {
-    const auto missing = std::ranges::count_if(fieldsOf(section),
-                                               [](const Entry &entry) { return entry.field->isRequired(); });
-    const auto others =
-        std::ranges::count_if(section.needs, [this](const char *key) { return isMissingHere(key); });
-    return static_cast<int>(missing + others);
+    return static_cast<int>(std::ranges::count_if(
+        fieldsOf(section), [](const Entry &entry) { return entry.field->isRequired(); }));
 }
 
 /// True if something is stated and nothing required is missing.

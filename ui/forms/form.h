@@ -26,6 +26,7 @@ namespace palmer::ui {
 
 class Chip;
 class ColumnsLayout;
+class GroupLayout;
 class DocumentModel;
 class SectionHead;
 
@@ -92,8 +93,6 @@ protected:
     /// A section that is folded if complete when the page comes into view, but never while in view.
     /// `summary`: text of the folded section in one line; by default its values.
     void addFoldingSection(const char *title, std::function<QString()> summary = {});
-    /// The last section is incomplete while the statement `key`, for which it has no field, is missing.
-    void sectionNeeds(const char *key) { m_sections.back().needs.push_back(key); }
     /// Adds a button on the right of the last title.
     QPushButton *addSectionButton(const char *text, std::function<void()> pressed);
     /// Adds a widget on the right of the last title.
@@ -102,6 +101,10 @@ protected:
     void beginRow();
     /// Begins a row of twelve columns, aligned in all rows; weights are numbers of columns.
     void beginColumns();
+    /// Begins a group: its name on the left, its fields in as many rows of twelve columns as they need.
+    void beginGroup(const char *name);
+    /// Adds a row to the group.
+    void addToGroup(QLayout *row);
     Field *addText(const Topic &topic, Member<std::string> member, int weight = 1,
                    Field::Kind kind = Field::Kind::text);
     Field *addLongText(const Topic &topic, Member<std::string> member, int weight = 1);
@@ -117,8 +120,8 @@ protected:
                      bool none, int weight = 1);
     /// A choice among the values of the thing; the first may mean not stated.
     template <class Enumeration>
-    Field *addWords(const char *thing, Member<Enumeration> member, int weight = 1) {
-        return addWordsOf(thing,
+    Field *addWords(const Topic &topic, Member<Enumeration> member, int weight = 1) {
+        return addWordsOf(topic,
                           converted<std::size_t, Enumeration>(
                               std::move(member),
                               [](const Enumeration &word) { return static_cast<std::size_t>(word); },
@@ -126,12 +129,15 @@ protected:
                           weight);
     }
     /// The statement of the test in view or its conditions under the thing's key; null if its kind has none.
-    Field *addThing(const char *thing, int weight = 1);
-    /// All things of a section in rows of twelve columns; in the first row `taken` columns are occupied.
-    void addThings(FieldForm::Section section, int taken = 12);
-    Field *addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight = 1);
+    Field *addThing(const Topic &topic, int weight = 1);
+    Field *addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight = 1,
+                    Field::Kind kind = Field::Kind::choice);
     /// A button below the rows or within a row.
     QPushButton *addButton(const char *text, std::function<void()> pressed, int weight = 1);
+    /// A button that looks like a link, to be placed by the caller.
+    QPushButton *addLink(const char *text, std::function<void()> pressed);
+    /// Yes, no or not stated, as a check box.
+    Field *addAnswer(const Topic &topic, int weight = 1);
     void addWidget(QWidget *widget, int weight = 1);
     void addStretch();
     void showPart(QWidget &part); ///< scrolls to it
@@ -193,15 +199,14 @@ private:
         QWidget *content = nullptr;
         const char *title = nullptr;
         std::function<QString()> summary;
-        std::vector<const char *> needs;
         std::vector<QWidget *> atHead; ///< visible while unfolded
         std::size_t begin = 0;
     };
 
     [[nodiscard]] static unsigned boundsOf(Allowed allowed); ///< Demand
-    Field *addWordsOf(const char *thing, Member<std::size_t> member, int weight);
-    Field *addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int> member, bool none,
-                       int weight);
+    Field *addWordsOf(const Topic &topic, Member<std::size_t> member, int weight);
+    Field *addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int> member, bool none, int weight,
+                       Field::Kind kind = Field::Kind::choice);
     Field *add(Field::Kind kind, const Topic &topic, const QString &unit, int weight);
     Entry &last() { return m_entries.back(); }
     void commit(const Field *field);
@@ -238,6 +243,8 @@ private:
     QGridLayout *m_row = nullptr;
     int m_column = 0;
     ColumnsLayout *m_columns = nullptr; ///< of the row, if it has twelve
+    GroupLayout *m_group = nullptr;     ///< to which the row belongs
+    QVBoxLayout *m_groups = nullptr;    ///< the group and those above it
     std::vector<Section> m_sections;
     std::map<std::string, bool> m_folded; ///< by title, for sections that existed before a rebuild
     std::map<std::string, bool> m_chosen; ///< folded or unfolded by the user in this test

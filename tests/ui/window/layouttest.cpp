@@ -10,6 +10,7 @@
 #include "ui/dialogs/reportdialog.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/field.h"
+#include "ui/forms/sectionhead.h"
 #include "ui/navigation/navigationmodel.h"
 #include "ui/readings/readingsmodel.h"
 #include "ui/results/resultsmodel.h"
@@ -76,7 +77,7 @@ private slots:
     void sixTargetsAreInSight();
     void dialogsHaveRoomOnSmallScreens();
     void limitsStandAsATable();
-    void conditionsBeginWithTestAndAxis();
+    void conditionsAreOnePage();
     void theMarkOfWhatIsRequiredHasItsColour();
     void allExamplesAreInSight_data();
     void allExamplesAreInSight();
@@ -397,11 +398,30 @@ void LayoutTest::sixTargetsAreInSight() {
     }
 }
 
-void LayoutTest::conditionsBeginWithTestAndAxis() {
-    const ShownWindow shown(examplePath("rotary-axis"));
-    shown.window->workplace().showPage(Page::conditions);
-    const auto *first = shown.find("conditionsPage")->findChild<Field *>();
-    QCOMPARE(first->edit()->accessibleName(), u"Title of the test"_s);
+/// A test of which all is stated begins with its title; one that lacks much still needs little scrolling.
+void LayoutTest::conditionsAreOnePage() {
+    const ShownWindow complete(examplePath("rotary-axis"));
+    complete.window->workplace().showPage(Page::conditions);
+    QCOMPARE(complete.find("conditionsPage")->findChild<Field *>()->edit()->accessibleName(),
+             u"Title of the test"_s);
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        setWindowLanguage(language);
+        for (const char *example : {"rotary-axis", "iso230-2-1988-example", "iso230-4-full-circles-xy"}) {
+            const ShownWindow shown(examplePath(example), {1366, 768});
+            shown.window->workplace().showPage(Page::conditions);
+            for (auto *head : shown.find("conditionsPage")->findChildren<SectionHead *>()) {
+                if (!head->isFolded())
+                    head->click();
+            }
+            QTest::qWait(20);
+            auto *fields = shown.find("conditionsFields");
+            const int inView = fields->parentWidget()->height();
+            QVERIFY2(2 * fields->height() <= 3 * inView,
+                     qPrintable(u"%1: %2 of %3"_s.arg(QLatin1StringView(example))
+                                    .arg(fields->height())
+                                    .arg(inView)));
+        }
+    }
 }
 
 void LayoutTest::theMarkOfWhatIsRequiredHasItsColour() {
