@@ -1892,11 +1892,6 @@
         <translation>n° %1</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <comment>certificate, date</comment>
-        <translation>%1 du %2</translation>
-    </message>
-    <message>
         <source>m = %1; n = %2 %3</source>
         <translation>m = %1&#x202f;; n = %2 %3</translation>
     </message>
@@ -2009,14 +2004,6 @@
         <translation>%1 (%2 pour %3)</translation>
     </message>
     <message>
-        <source>Limits exceeded by more than the guard band: %1.</source>
-        <translation>Limites dépassées au-delà de la bande de garde&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Limits exceeded: %1.</source>
-        <translation>Limites dépassées&#xa0;: %1.</translation>
-    </message>
-    <message>
         <source>%1 exceeds its limit: %2 against %3.</source>
         <translation>%1 dépasse sa limite&#xa0;: %2 pour %3.</translation>
     </message>
@@ -2055,10 +2042,6 @@
     <message>
         <source>Within its limit: %1.</source>
         <translation>Limite respectée&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Others: no limit agreed.</source>
-        <translation>Autres&#xa0;: pas de limite.</translation>
     </message>
     <message>
         <source>Verdict of the test</source>
@@ -6942,14 +6925,6 @@
         <translation>autour du centre de réglage&#xa0;: contient l’erreur de réglage</translation>
     </message>
     <message>
-        <source>Limit exceeded by more than the guard band: %1.</source>
-        <translation>Limite dépassée au-delà de la bande de garde&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Limit exceeded: %1.</source>
-        <translation>Limite dépassée&#xa0;: %1.</translation>
-    </message>
-    <message>
         <source>Limits</source>
         <comment>part of a verdict</comment>
         <translation>Limites</translation>
@@ -9445,6 +9420,26 @@
     <message>
         <source>What the revision changes.</source>
         <translation>Ce que la révision change.</translation>
+    </message>
+    <message>
+        <source>by more than the guard band: %1.</source>
+        <translation>au-delà de la bande de garde&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Furthest beyond its limit of %1: %2.</source>
+        <translation>Le plus au-delà de sa limite de %1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Closest to its limit of %1: %2.</source>
+        <translation>Au plus près de sa limite de %1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>No limit agreed</source>
+        <translation>Sans limite convenue</translation>
+    </message>
+    <message>
+        <source>Cycle, targets</source>
+        <translation>Cycle, points visés</translation>
     </message>
     <message>
         <source>Title of the test</source>

@@ -44,15 +44,17 @@ QString remarksBeside(const TestPart &part) {
     return joined(remarks, QStringLiteral("\n"));
 }
 
-/// Adds the first page of a test: head, figure, results and verdict.
+/// Adds the first page of a test: head, verdict, figure and results.
 void addFirstPage(std::vector<Block> &blocks, const PositioningPart &part) {
     blocks.emplace_back(positioningHead(part));
+    addVerdict(blocks, part);
     addFigure(blocks, part);
     addResults(blocks, part);
 }
 
 void addFirstPage(std::vector<Block> &blocks, const CircularPart &part) {
     blocks.emplace_back(circularHead(part));
+    addVerdict(blocks, part);
     addActualPaths(blocks, part);
     addResults(blocks, part);
 }

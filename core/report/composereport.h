@@ -20,10 +20,10 @@ struct ReportOptions {
     std::stop_token stop = {}; ///< if stop is requested, the report lacks tests
 };
 
-/// Composes the printed report of a document in one language. For one test: head, figure, results, verdict,
+/// Composes the printed report of a document in one language. For one test: head, verdict, figure, results,
 /// conditions, agreed points, uncertainty, findings, limits, values and readings. An acceptance sheet comes
-/// first, with the verdict on sheet and tests. For several: a summary, a page per test with head, figure,
-/// results and verdict, then the common statements (conditions, agreed points, limits, before and after,
+/// first, with the verdict on sheet and tests. For several: a summary, a page per test with head, verdict,
+/// figure and results, then the common statements (conditions, agreed points, limits, before and after,
 /// editions), then the remaining sections of each test without page breaks. At the end traceability,
 /// statements (ISO/IEC 17025, 7.8), remarks and signatures. Pure: the same document always gives the same
 /// report, under any locale. Drift tests are listed but have no page. Throws Error like writeDocument(),

@@ -492,10 +492,11 @@ Strips verdictStrips(const VerdictLine &line, double width) {
     const double rightHeight = limits.height() + accordance.height() + 2 * gap;
     const double inner = std::max(leftHeight, rightHeight);
     const double height = inner + 2 * padding;
-    return {strip(height, [=, mark = line.mark](QPainter &painter, QPointF at) {
+    return {strip(height, [=, mark = line.mark, large = line.large](QPainter &painter, QPointF at) {
         drawRule(painter, at, width, strongRule);
         drawRule(painter, at + QPointF(0, height), width, strongRule);
-        QPointF place = at + QPointF(left, padding + (inner - leftHeight) / 2);
+        // The word is read first, however long the reasons are.
+        QPointF place = at + QPointF(left, padding + (large ? (inner - leftHeight) / 2 : 0));
         label.draw(painter, place);
         place.ry() += label.height();
         drawMark(painter, mark, place + QPointF(largeMark / 2, word.lineHeight() / 2), largeMark);
@@ -828,7 +829,8 @@ Strips blockStrips(const std::vector<Block> &blocks, double width, double talles
             strips.front().gap = above ? gapBetween(*above, block) : 0;
             strips.front().block = static_cast<int>(i);
             strips.front().section = beginsSection(block);
-            strips.back().verdict = std::holds_alternative<VerdictLine>(block);
+            if (const auto *table = std::get_if<Table>(&block))
+                strips.back().whole = table->unbroken;
             titled = titled || isTitle(block);
             stateOfHeading(strips, blocks, i, titled);
             above = &block;

@@ -8,6 +8,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -178,7 +179,8 @@ private:
     /// To keep the results on the first page of a test, shrinks the larger gaps by a common factor, and then
     /// the figure.
     bool narrowGaps(const Strips &strips, std::size_t from, std::size_t end, double missing) {
-        if (m_narrowing < 1 || m_page.running || !strips[end - 1].verdict)
+        const auto at = [&](std::size_t i) { return strips.begin() + static_cast<std::ptrdiff_t>(i); };
+        if (m_narrowing < 1 || m_page.running || std::none_of(at(from), at(end), std::mem_fn(&Strip::whole)))
             return false;
         double gaps = 0;
         const auto add = [&gaps](const Strip &strip) {
@@ -440,27 +442,14 @@ bool moveResults(std::vector<Block> &blocks, const std::vector<int> &pages, std:
     return true;
 }
 
-/// If the results of a test and its verdict do not fit on the page of its head, moves the verdict directly
-/// below the head; the results follow together on the next page. Returns true if blocks were moved.
-bool moveVerdicts(std::vector<Block> &blocks, const Flow &flow) {
+/// Does so for each test. Returns true if blocks were moved.
+bool moveAllResults(std::vector<Block> &blocks, const Flow &flow) {
     const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
     bool moved = false;
-    std::size_t head = blocks.size(); // none yet
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        if (std::holds_alternative<PageBreak>(blocks[i]))
-            head = blocks.size();
-        else if (std::holds_alternative<TestHead>(blocks[i]))
-            head = i;
-        if (head == blocks.size() || !std::holds_alternative<VerdictLine>(blocks[i]))
-            continue;
-        if (i == head + 1)
+    for (std::size_t head = 0; head + 2 < blocks.size(); ++head) {
+        if (std::holds_alternative<TestHead>(blocks[head]) &&
+            std::holds_alternative<VerdictLine>(blocks[head + 1]))
             moved |= moveResults(blocks, pages, head);
-        if (i == head + 1 || pages[i] == pages[head])
-            continue;
-        const auto begin = blocks.begin();
-        std::rotate(begin + static_cast<std::ptrdiff_t>(head) + 1, begin + static_cast<std::ptrdiff_t>(i),
-                    begin + static_cast<std::ptrdiff_t>(i) + 1);
-        moved = true;
     }
     return moved;
 }
@@ -599,12 +588,12 @@ Layout layoutOf(const Report &report, QSizeF size, const std::stop_token &stop =
     if (arranged.blocks != report.blocks)
         result = {arranged, flowOf(arranged.blocks, size, stop)};
     std::map<QString, int> numbers;
-    // Page numbers in the text and moved verdicts may move what follows them.
+    // Page numbers in the text and moved results may move what follows them.
     constexpr int attempts = 8;
     for (int i = 0; i < attempts && !stop.stop_requested(); ++i) {
         bool moved = followPages(arranged.blocks, result.flow);
         if (!moved)
-            moved = moveVerdicts(arranged.blocks, result.flow);
+            moved = moveAllResults(arranged.blocks, result.flow);
         if (!moved)
             moved = fillResults(arranged.blocks, result.flow, size.height() - bottomMargin);
         std::map<QString, int> found = anchorPages(result.flow, result.report.blocks);

@@ -47,8 +47,8 @@ struct PrintedPage {
 using Pages = std::vector<PrintedPage>;
 
 /// Lays out a report as pages with running heads, footers and page numbers. A section never starts in the
-/// last 25 mm, a figure keeps its caption, results stay together with their verdict, heads of split tables
-/// are repeated. Every report gives at least one page; if stop is requested meanwhile, the pages are not
+/// last 25 mm, a figure keeps its caption, a verdict follows its head, heads of split tables are
+/// repeated. Every report gives at least one page; if stop is requested meanwhile, the pages are not
 /// those of the report. Requires a QApplication (figures).
 [[nodiscard]] Pages layoutPages(const Report &report, const std::stop_token &stop = {});
 
@@ -56,8 +56,8 @@ using Pages = std::vector<PrintedPage>;
 /// there, however long the report.
 [[nodiscard]] Pages firstPages(const Report &report);
 
-/// The report as it is printed: with page numbers filled in, and with the verdict of a test directly below
-/// its head if the results do not fit on that page.
+/// The report as it is printed: with page numbers filled in, and with the results of a test above its figure
+/// if the figure does not fit below the head.
 [[nodiscard]] Report arrangedForPages(const Report &report);
 
 /// Draws a page on paper, in a preview or into a file. The painter unit is a point; the background is not

@@ -28,7 +28,7 @@ struct Strip {
     bool section = false; ///< begins a section: its gap may grow, and it needs space below
     bool title = false;   ///< title of a test: precedes its first section
     bool filler = false;  ///< begins a section that may be moved forward in its test to fill a page
-    bool verdict = false; ///< end of the results of a test, for which gaps may shrink
+    bool whole = false;   ///< end of a table that is not split: gaps on the page of a head may shrink for it
     double least = 0;     ///< least height of a figure
     std::function<std::function<void(QPainter &, QPointF)>(double height)>
         drawOf;                         ///< figure: returns `draw` for a height

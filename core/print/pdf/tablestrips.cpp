@@ -67,6 +67,8 @@ double neededWidth(const Table &table, std::size_t column) {
     double widest = spread ? 0 : TextBlock(richText(table.columns[column].title, true), cellStyle).width();
     for (const auto &row : table.rows) {
         const Cell &cell = row[column];
+        if (cell.columns > 1)
+            continue;
         const double before = cell.mark == Mark::none ? 0 : markWidth;
         widest = std::max(widest, before + TextBlock(richText(cell.text, cell.bold), cellStyle).width());
     }

@@ -227,6 +227,7 @@ KeyValues rowsOf(const PositioningPart &part) {
     const Conditions &common = conditions.common;
     ConditionRows rows(part);
     addPurpose(rows, part);
+    rows.add(REPORT_TEXT("report", "Measuring system"), part.measurement.axis.positionFeedback);
     rows.add("warmUp", warmUpText(write, common.warmUp));
     const QString feed = write.quantity(conditions.feed, feedQuantity(part.test));
     const bool isRapid = conditions.feedMode == FeedMode::rapid;
@@ -303,6 +304,7 @@ KeyValues rowsOf(const CircularPart &part) {
     const Conditions &common = conditions.common;
     ConditionRows rows(part);
     addPurpose(rows, part);
+    rows.add(REPORT_TEXT("report", "Measuring system"), part.measurement.positionFeedback);
     rows.add("warmUp", warmUpText(write, common.warmUp));
     addLoadAndState(rows, part, common);
     rows.addStated(REPORT_TEXT("report", "Specified circle"), specifiedCircle(part));

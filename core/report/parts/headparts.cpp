@@ -96,23 +96,11 @@ QString instrumentText(const Writer &write, const Instrument &instrument) {
     return joined({name, write.say(REPORT_TEXT("report", "No. %1"), {instrument.serialNumber})});
 }
 
-QString certificateText(const Writer &write, const Instrument &instrument) {
-    const QString date = dateText(write, instrument.calibrationDate);
-    if (instrument.certificate.empty() || date.isEmpty())
-        return joined({QString::fromStdString(instrument.certificate), date});
-    return write.say(REPORT_TEXT_FOR("report", "%1 of %2", "certificate, date"),
-                     {instrument.certificate, date.toStdString()});
-}
-
 void addInstruments(LabelledRows &rows, const TestPart &part) {
     QStringList names;
-    QStringList certificates;
-    for (const Instrument *instrument : instrumentsOf(part)) {
+    for (const Instrument *instrument : instrumentsOf(part))
         names << instrumentText(part.write, *instrument);
-        certificates << certificateText(part.write, *instrument);
-    }
     rows.add(REPORT_TEXT("report", "Instrument"), joined(names, QStringLiteral("\n")));
-    rows.add(REPORT_TEXT("report", "Certificate"), joined(certificates, QStringLiteral("\n")));
 }
 
 QString axisText(const PositioningPart &part) {
@@ -211,12 +199,6 @@ TestHead positioningHead(const PositioningPart &part) {
     if (part.results.stepCycleNotAgreed)
         head.notice =
             part.write.text(REPORT_TEXT("report", "step cycle – not an ISO 230-2 acceptance result"));
-    LabelledRows left(part.write, std::move(head.left));
-    left.add(REPORT_TEXT("report", "Cycle"),
-             part.write.text(cycleText(part.measurement.cycle, part.edition())));
-    left.add(REPORT_TEXT("report", "Target positions"), countsText(part));
-    head.left = left.take();
-
     LabelledRows rows(part.write, {{}, rightLabels});
     rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
     rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
@@ -225,7 +207,9 @@ TestHead positioningHead(const PositioningPart &part) {
     if (part.measurement.zone)
         rows.add(REPORT_TEXT("report", "Working zone"),
                  intervalText(part, part.measurement.zone->from, part.measurement.zone->to, -1));
-    rows.add(REPORT_TEXT("report", "Measuring system"), part.measurement.axis.positionFeedback);
+    rows.add(REPORT_TEXT("report", "Cycle, targets"),
+             joined({part.write.text(cycleText(part.measurement.cycle, part.edition())), countsText(part)},
+                    part.write.semicolon()));
     addInstruments(rows, part);
     head.right = rows.take();
     return head;
@@ -273,22 +257,18 @@ TestHead sheetHead(const Writer &write, const EvaluatedDocument &evaluated,
 
 TestHead circularHead(const CircularPart &part) {
     const Writer &write = part.write;
-    const CircularMeasurement &measurement = part.measurement;
     TestHead head = commonHead(part);
-    if (part.needsLength())
-        head.left.rows.push_back(
-            {write.text(REPORT_TEXT("report", "Reference length")), referenceLengthText(part)});
-
     LabelledRows rows(write, {{}, rightLabels});
     rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
     rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
     rows.add(REPORT_TEXT("report", "Plane, axes"), part.plane());
-    rows.add(REPORT_TEXT("report", "Measuring system"), measurement.positionFeedback);
     if (part.feedback())
         rows.add(REPORT_TEXT("report", "Measured with"),
                  write.text(REPORT_TEXT("report", "feedback signal of the axes")));
     if (!part.feedback() || !part.test.instruments.empty())
         addInstruments(rows, part);
+    if (part.needsLength())
+        rows.add(REPORT_TEXT("report", "Reference length"), referenceLengthText(part));
     head.right = rows.take();
     return head;
 }

@@ -98,7 +98,10 @@ struct LargeWord {
 /// Adds the figure of a positioning test with its heading.
 void addFigure(std::vector<Block> &blocks, const PositioningPart &part);
 
-/// Adds results with limits, guard pictures and verdicts, their legend, and the verdict line.
+/// Adds the verdict line, with the result that decides it.
+void addVerdict(std::vector<Block> &blocks, const TestPart &part);
+
+/// Adds results, those with a limit first, with guard pictures, verdicts and their legend.
 void addResults(std::vector<Block> &blocks, const PositioningPart &part);
 void addResults(std::vector<Block> &blocks, const CircularPart &part);
 

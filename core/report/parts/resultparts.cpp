@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <ranges>
 
@@ -203,7 +204,11 @@ Cell cellOnPaper(const ResultColumn &column, const TestPart &part, const ResultF
     return cell;
 }
 
-Table resultTable(const TestPart &part, const ResultForm &form, const std::vector<PrintedResult> &results) {
+/// Those with a limit first.
+Table resultTable(const TestPart &part, const ResultForm &form, std::vector<PrintedResult> results) {
+    const auto withoutLimit = std::ranges::stable_partition(
+        results, [](const PrintedResult &result) { return !result.limit.isEmpty(); });
+    const auto limited = static_cast<std::size_t>(withoutLimit.begin() - results.begin());
     Table table;
     table.unbroken = true;
     auto columns = resultColumns(onPaper);
@@ -224,6 +229,16 @@ Table resultTable(const TestPart &part, const ResultForm &form, const std::vecto
     const auto value =
         std::ranges::find(columns, std::string_view("value"), &ResultColumn::key) - columns.begin();
     leaveOutEmptyColumns(table, static_cast<std::size_t>(value) + 1, table.columns.size() - 1);
+    if (limited > 0 && limited < results.size()) {
+        std::vector<Cell> row(table.columns.size(), blankCell());
+        row.front() = Phrase({{part.write.text(REPORT_TEXT("report", "No limit agreed")), false, false, true}});
+        row.front().columns = table.columns.size();
+        table.rows.insert(table.rows.begin() + static_cast<std::ptrdiff_t>(limited), std::move(row));
+        std::erase_if(table.rulesAfter, [&](std::size_t after) { return after < limited; });
+        for (std::size_t &after : table.rulesAfter)
+            ++after;
+        table.strongRulesAfter.push_back(limited - 1);
+    }
     return table;
 }
 
@@ -331,6 +346,10 @@ std::string shownLimit(const TestPart &part, const PrintedResult &result) {
     return withUnit(result.limit, result.parameter->term.quantity, part.write.language()).toStdString();
 }
 
+QString shownUncertainty(const TestPart &part, const PrintedResult &result) {
+    return withUnit(result.uncertainty, result.parameter->term.quantity, part.write.language());
+}
+
 Text exceededBand(bool isLower, bool bandIsU) {
     if (isLower)
         return bandIsU ? REPORT_TEXT("report", "%1 is below its lower limit by more than the uncertainty: %2 "
@@ -355,13 +374,10 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
                               : write.say(REPORT_TEXT("report", "%1 (%2 against %3)"),
                                           {symbol, shownValue(part, *result), shownLimit(part, *result)}));
         }
-        const bool one = results.size() == 1;
-        const Text beyondBand =
-            one ? REPORT_TEXT("report", "Limit exceeded by more than the guard band: %1.")
-                : REPORT_TEXT("report", "Limits exceeded by more than the guard band: %1.");
-        const Text beyond = one ? REPORT_TEXT("report", "Limit exceeded: %1.")
-                                : REPORT_TEXT("report", "Limits exceeded: %1.");
-        return write.say(hasGuardBand(part.test) ? beyondBand : beyond, items.join(QStringLiteral(", ")));
+        const QString list = items.join(QStringLiteral(", "));
+        return hasGuardBand(part.test) // goes on from the state, "exceeded"
+                   ? write.say(REPORT_TEXT("report", "by more than the guard band: %1."), list)
+                   : list + u'.';
     }
     const PrintedResult &result = *results.front();
     const Parameter &parameter = *result.parameter;
@@ -374,7 +390,10 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
     return write.say(exceededBand(isLower, factorIsOne(part.test)),
                      {shownSymbol(parameter).toStdString(), shownValue(part, result),
                       shownLimit(part, result),
-                      bandName(part, parameter.decidedBy == UncertaintyMethod::monteCarlo).toStdString(),
+                      QStringLiteral("%1 (%2)")
+                          .arg(bandName(part, parameter.decidedBy == UncertaintyMethod::monteCarlo),
+                               shownUncertainty(part, result))
+                          .toStdString(),
                       withUnit(result.reach, parameter.term.quantity, write.language()).toStdString()});
 }
 
@@ -399,15 +418,30 @@ QString notProven(const TestPart &part, const std::vector<const PrintedResult *>
     return part.write.say(words, symbols);
 }
 
-/// True if a result, evaluable or not, has no limit.
-bool anyWithoutLimit(const TestPart &part, const std::vector<PrintedResult> &results) {
-    return std::ranges::any_of(results, [&](const PrintedResult &result) {
-        return !result.parameter->verdict &&
-               std::ranges::none_of(part.evaluation.limits, [&](const AgreedLimit &limit) {
-                   return std::ranges::find(limit.parameters, parameterId(*result.parameter)) !=
-                          limit.parameters.end();
-               });
-    });
+/// The result that decides a verdict, with its U and limit: the one furthest beyond its limit, or, if none is,
+/// the one closest to it. The limit comes first: value, U and limit in this order are a row of the results.
+QString deciding(const TestPart &part, const std::vector<const PrintedResult *> &results) {
+    const auto excess = [](const PrintedResult *result) {
+        const Parameter &parameter = *result->parameter;
+        if (result->limit.isEmpty())
+            return -std::numeric_limits<double>::infinity();
+        const double limit = judgedLimit(*parameter.limit->value, parameter.bound);
+        const double beyond = judgedValue(*parameter.value, parameter.bound) - limit;
+        const double band = parameter.guardBand.value_or(0);
+        return (beyond + (parameter.verdict == Verdict::conforms ? band : -band)) /
+               std::max(std::abs(limit), std::numeric_limits<double>::min());
+    };
+    const PrintedResult &result = **std::ranges::max_element(results, {}, excess);
+    if (result.limit.isEmpty())
+        return {};
+    QString values = shownSymbol(*result.parameter) + QStringLiteral("\u00A0=\u00A0") +
+                     QString::fromStdString(shownValue(part, result));
+    if (!result.uncertainty.isEmpty())
+        values += QStringLiteral(", U\u00A0=\u00A0") + shownUncertainty(part, result);
+    return part.write.say(result.parameter->verdict == Verdict::doesNotConform
+                              ? REPORT_TEXT("report", "Furthest beyond its limit of %1: %2.")
+                              : REPORT_TEXT("report", "Closest to its limit of %1: %2."),
+                          {shownLimit(part, result), values.toStdString()});
 }
 
 QString reason(const TestPart &part, const std::vector<PrintedResult> &results) {
@@ -430,16 +464,21 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
             all << exceeded(part, failing, inShort);
         if (!open.empty())
             all << notProven(part, open);
+        const auto &decisive = !failing.empty() ? failing : !open.empty() ? open : good;
+        // A single exceeded limit is said with its numbers.
+        const bool said = failing.size() == 1 && !inShort;
+        const QString numbers = said || decisive.empty() ? QString() : deciding(part, decisive);
         const QString met = joinedSymbols(parametersOf(good));
         const QString unknown = notEvaluableSentence(part.evaluation, part.write.language());
         if (!unknown.isEmpty())
             all << unknown;
-        if (!good.empty() && failing.empty() && open.empty() && unknown.isEmpty()) // the state says so
+        const bool allMet = !good.empty() && failing.empty() && open.empty() && unknown.isEmpty();
+        if (allMet) // the state says so
             all << enumerated(part.write, met.split(QStringLiteral(", "))) + u'.';
-        else if (!good.empty())
+        if (!numbers.isEmpty())
+            all << numbers;
+        if (!allMet && !good.empty())
             all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."), met);
-        if (anyWithoutLimit(part, results))
-            all << part.write.text(REPORT_TEXT("report", "Others: no limit agreed."));
         return all.join(u' ');
     };
     const QString whole = sentences(false);
@@ -474,7 +513,6 @@ void addResultsAs(std::vector<Block> &blocks, const TestPart &part, const Result
         blocks.emplace_back(resultTable(part, form, results));
         addLegend(blocks, part, form);
     }
-    blocks.emplace_back(verdictLine(part, results));
 }
 
 } // namespace
@@ -557,6 +595,11 @@ void addFigure(std::vector<Block> &blocks, const PositioningPart &part) {
         notes << figure.note;
     addHeading(blocks, figure.title, notes.join(QStringLiteral(", ")));
     blocks.emplace_back(FigureBlock{std::move(figure)});
+}
+
+void addVerdict(std::vector<Block> &blocks, const TestPart &part) {
+    blocks.emplace_back(verdictLine(
+        part, printedResults(part.document(), part.test, part.evaluation, part.write.language())));
 }
 
 void addResults(std::vector<Block> &blocks, const PositioningPart &part) {

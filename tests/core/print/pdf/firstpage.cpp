@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/print/pdf/reports.h"
+#include "kernel/measurement/testfacts.h"
+#include "report/tables/resulttable.h"
 
 #include <QDir>
 #include <array>
@@ -45,6 +47,22 @@ public:
         if (below(3) == 0) // with a summary and a second test
             document.tests.push_back(storedDocument(u"limits-2006"_s).tests.front());
         return document;
+    }
+
+    void addLimits(Test &test) {
+        test.limits.clear();
+        const bool positioning = std::holds_alternative<PositioningMeasurement>(test.measurement);
+        const std::vector<std::string> ids =
+            positioning
+                ? std::vector<std::string>{"A", "A+", "A-", "E", "E+", "M", "R", "R+", "R-", "B", "Bmean"}
+                : std::vector<std::string>{"G(b)", "G", "G(b)f", "Gf", "D", "F", "Fmax"};
+        for (const std::string &id : ids) {
+            if (below(2) == 0)
+                test.limits[id] = {0.0005 * (1 + below(60)), std::nullopt, words(40)};
+        }
+        test.decisionRule = {std::array{Rule::simpleAcceptance, Rule::iso14253_1, Rule::rejectionProven}.at(
+                                 static_cast<std::size_t>(below(3))),
+                             below(2) == 0 ? 1.0 : 0.83};
     }
 
 private:
@@ -96,22 +114,6 @@ private:
         }
     }
 
-    void addLimits(Test &test) {
-        test.limits.clear();
-        const bool positioning = std::holds_alternative<PositioningMeasurement>(test.measurement);
-        const std::vector<std::string> ids =
-            positioning
-                ? std::vector<std::string>{"A", "A+", "A-", "E", "E+", "M", "R", "R+", "R-", "B", "Bmean"}
-                : std::vector<std::string>{"G(b)", "G", "G(b)f", "Gf", "D", "F", "Fmax"};
-        for (const std::string &id : ids) {
-            if (below(2) == 0)
-                test.limits[id] = {0.0005 * (1 + below(60)), std::nullopt, words(40)};
-        }
-        test.decisionRule = {std::array{Rule::simpleAcceptance, Rule::iso14253_1, Rule::rejectionProven}.at(
-                                 static_cast<std::size_t>(below(3))),
-                             below(2) == 0 ? 1.0 : 0.83};
-    }
-
     std::mt19937 m_random;
 };
 
@@ -142,7 +144,9 @@ double blankPart(const QImage &page) {
 struct Sought {
     QString head = {};    ///< its last line
     QString verdict = {}; ///< label and word
+    QString word = {};
     QString statements = {};
+    QString reason = {}; ///< why the limits are met or not
     QString heading = {}; ///< of the results; empty: there are none
     QStringList rows = {};
 };
@@ -151,19 +155,23 @@ std::vector<Sought> soughtIn(const Report &report) {
     std::vector<Sought> tests;
     const Heading *heading = nullptr;
     for (const Block &block : report.blocks) {
-        if (const auto *head = std::get_if<TestHead>(&block))
+        if (const auto *head = std::get_if<TestHead>(&block)) {
             tests.push_back({head->right.rows.back().key});
+            heading = nullptr;
+        }
         if (const auto *found = std::get_if<Heading>(&block))
             heading = found;
         const auto *verdict = std::get_if<VerdictLine>(&block);
         if (verdict && !verdict->large) {
             tests.back().verdict = verdict->label + verdict->word;
+            tests.back().word = verdict->word;
             tests.back().statements =
                 verdict->limits.label + verdict->limits.state + verdict->limits.text.plain();
+            tests.back().reason = verdict->limits.text.plain();
         }
         const auto *table = std::get_if<Table>(&block);
         if (table && heading && table->unbroken && tests.back().heading.isEmpty() &&
-            table->columns.size() > 2 && table->columns[0].titleSpan == 2 && tests.back().verdict.isEmpty()) {
+            table->columns.size() > 2 && table->columns[0].titleSpan == 2) {
             tests.back().heading = heading->text;
             for (const auto &row : table->rows)
                 tests.back().rows << row[0].text.plain() + row[1].text.plain();
@@ -175,15 +183,16 @@ std::vector<Sought> soughtIn(const Report &report) {
 
 } // namespace
 
-/// Results and verdict stand on the first page of a test, or the verdict there and the results whole on the
-/// next.
+/// The verdict stands below the head of a test, the results on the same page or whole on the next.
 class FirstPageTest : public QObject {
     Q_OBJECT
 
 private slots:
     void resultsAndVerdictAreThere_data();
     void resultsAndVerdictAreThere();
-    void theVerdictMovesBelowALongHead();
+    void theDecisionIsReadAtOnce_data();
+    void theDecisionIsReadAtOnce();
+    void aLongHeadKeepsTheVerdict();
     void resultsStandBeforeAFigureWithoutRoom();
 };
 
@@ -225,8 +234,49 @@ void FirstPageTest::resultsAndVerdictAreThere() {
     }
 }
 
+/// With random limits and rules: the word of the verdict, the deciding quantity with its value and its limit
+/// end in the upper third of the page.
+void FirstPageTest::theDecisionIsReadAtOnce_data() {
+    QTest::addColumn<unsigned>("seed");
+    constexpr unsigned seeds = 20;
+    for (unsigned seed = 1; seed <= seeds; ++seed)
+        QTest::newRow(qPrintable(QString::number(seed))) << seed;
+}
+
+void FirstPageTest::theDecisionIsReadAtOnce() {
+    QFETCH(unsigned, seed);
+    static const QStringList names{u"limits-2006"_s, u"budget-2006"_s, u"rotary-axis"_s,
+                                   u"iso230-2-1988-example"_s, u"iso230-4-full-circles-xy"_s};
+    Document document = storedDocument(names[static_cast<qsizetype>(seed) % names.size()]);
+    Test test = *document.tests.front();
+    do {
+        Generator(++seed * 1000).addLimits(test);
+    } while (!hasLimits(test.limits));
+    document.tests = {std::make_shared<const Test>(test)};
+    const auto language = seed % 2 == 0 ? Language::Id::french : Language::Id::english;
+    const Report report = reportOf(document, language);
+    const Sought sought = soughtIn(report).front();
+    const QString third = squeezed(QString::fromUtf8(
+        run(u"pdftotext"_s,
+            {u"-l"_s, u"1"_s, u"-x"_s, u"0"_s, u"-y"_s, u"0"_s, u"-W"_s, u"595"_s, u"-H"_s, u"281"_s, u"-"_s,
+             u"-"_s},
+            pdfOf(report))));
+    QVERIFY2(third.contains(squeezed(sought.word)), qPrintable(third));
+    QVERIFY2(third.contains(squeezed(sought.reason)), qPrintable(sought.reason + u'\n' + third));
+    const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+    const bool named = std::ranges::any_of(
+        printedResults(*evaluated.document, test, *evaluated.tests[0], Language(language)),
+        [&](const PrintedResult &result) {
+            return !result.limit.isEmpty() && sought.reason.contains(result.limit) &&
+                   sought.reason.contains(QString(result.value).remove(u'−')) &&
+                   (test.decisionRule.rule == Rule::simpleAcceptance ||
+                    sought.reason.contains(result.uncertainty));
+        });
+    QVERIFY2(named, qPrintable(sought.reason));
+}
+
 /// With more head than leaves room for results: the verdict is not carried away with them.
-void FirstPageTest::theVerdictMovesBelowALongHead() {
+void FirstPageTest::aLongHeadKeepsTheVerdict() {
     for (const Paper paper : {Paper::a4, Paper::letter}) {
         Document document = storedDocument(u"limits-2006"_s);
         document.report.paper = paper;

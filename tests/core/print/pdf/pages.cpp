@@ -330,8 +330,9 @@ void PagesTest::resultsStayWhole() {
             if (!verdict || verdict->large) // that of the summary
                 continue;
             std::size_t from = i; // the heading of the results
-            while (!std::holds_alternative<Heading>(report.blocks[from]))
-                --from;
+            while (!std::holds_alternative<Heading>(report.blocks[from]) ||
+                   !std::holds_alternative<Table>(report.blocks[from + 1]))
+                ++from;
             const QString heading = squeezed(std::get<Heading>(report.blocks[from]).text);
             const QString words = squeezed(verdict->label + verdict->word);
             // On one page; where a head is too long for both, the verdict below the head and the results
