@@ -7,7 +7,7 @@ libdeflate-dev libexpat1-dev libqpdf-dev libpoppler-qt6-dev libzip-dev qt6-base-
 qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
 fontconfig fonts-liberation2 fonts-dejavu-core"
 
-testPackages="postgresql mold python3 python3-jsonschema python3-numpy python3-mpmath poppler-utils libnss3-tools qpdf appstream"
+testPackages="postgresql mold python3 python3-jsonschema python3-numpy python3-mpmath python3-pandas mandoc poppler-utils libnss3-tools qpdf appstream"
 
 lintPackages="clang-14 clang-tidy-14 python3"
 
