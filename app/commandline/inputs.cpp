@@ -6,12 +6,17 @@
 #include "commandline/preparation.h"
 #include "commandline/streams.h"
 #include "document/filename.h"
+#include "document/readdocument.h"
 #include "proof/readreportpdf.h"
+#include "report/attachedfile.h"
 
 #include <QFileInfo>
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
+#include <optional>
+#include <set>
 #include <system_error>
 
 namespace palmer {
@@ -30,20 +35,35 @@ bool hasEnding(const QString &name, const char *ending) {
 /// Finds the files in a folder, recursively, except hidden ones.
 class FolderWalk {
 public:
-    FolderWalk(const QString &folder, InFolders which)
+    FolderWalk(const QString &folder, InFolders which, const QString &output)
         : m_folder(folder)
         , m_which(which) {
+        if (!output.isEmpty())
+            m_output = realPath(nativeFileName(output).toStdString());
         walk(fs::path(nativeFileName(folder).toStdString()), {});
         std::ranges::sort(m_found, {}, &Input::file);
+        if (which == InFolders::testFilesAndReports)
+            putBeside();
     }
 
     [[nodiscard]] std::vector<Input> &found() { return m_found; }
     [[nodiscard]] const QStringList &unreadable() const { return m_unreadable; }
 
 private:
+    static fs::path realPath(const fs::path &path) {
+        std::error_code error;
+        const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
+        return real.has_filename() ? real : real.parent_path();
+    }
+
     /// `below`: path relative to the first folder, with a trailing slash.
     void walk(const fs::path &folder, const QString &below) {
         std::error_code error;
+        const fs::path real = realPath(folder);
+        if (!m_seen.insert(real).second) // reached through another link
+            return;
+        const bool isOutput =
+            !m_output.empty() && std::ranges::mismatch(m_output, real).in1 == m_output.end();
         fs::directory_iterator entries(folder, error);
         if (error)
             m_unreadable << nameOf(below);
@@ -52,11 +72,35 @@ private:
             std::error_code ignored;
             if (entries->path().filename().native().starts_with('.'))
                 continue;
-            if (entries->is_directory(ignored) && !entries->is_symlink(ignored))
+            if (entries->is_directory(ignored))
                 walk(entries->path(), name + u'/');
-            else if (isWanted(name) && entries->is_regular_file(ignored))
+            else if (isWanted(name) && !(isOutput && hasEnding(name, ".pdf")) && entries->is_regular_file(ignored))
                 m_found.push_back({nameOf(name), shownFileName(nameOf(name)), shownFileName(name), true});
         }
+    }
+
+    /// Takes reports out of the list that stand next to a test file of their name.
+    void putBeside() {
+        std::map<QString, Input *> testFiles;
+        for (Input &input : m_found) {
+            if (!hasEnding(input.file, ".pdf"))
+                testFiles.emplace(input.file.chopped(QLatin1StringView(".palmer").size()), &input);
+        }
+        std::vector<QString> taken;
+        for (const Input &input : m_found) {
+            if (!hasEnding(input.file, ".pdf"))
+                continue;
+            QString name = input.file.chopped(QLatin1StringView(".pdf").size());
+            if (!testFiles.contains(name) && (hasEnding(name, ".fr") || hasEnding(name, ".en")))
+                name.chop(3);
+            const auto own = testFiles.find(name);
+            if (own == testFiles.end())
+                continue;
+            own->second->beside << input.file;
+            taken.push_back(input.file);
+        }
+        std::erase_if(m_found,
+                      [&](const Input &input) { return std::ranges::binary_search(taken, input.file); });
     }
 
     [[nodiscard]] QString nameOf(const QString &below) const {
@@ -70,6 +114,8 @@ private:
 
     QString m_folder;
     InFolders m_which;
+    fs::path m_output; ///< folder of -o
+    std::set<fs::path> m_seen;
     std::vector<Input> m_found;
     QStringList m_unreadable;
 };
@@ -91,7 +137,7 @@ Inputs inputsOf(const Invocation &invocation, InFolders which) {
             continue;
         }
         result.several = true;
-        FolderWalk walk(argument, which);
+        FolderWalk walk(argument, which, invocation.value("o").value_or(QString()));
         for (const QString &folder : walk.unreadable())
             fail(invocation, folder, unreadable(REPORT_TEXT("report", "the folder cannot be read")));
         if (walk.found().empty() && walk.unreadable().isEmpty())
@@ -114,6 +160,32 @@ bool isOneFile(const Invocation &invocation) {
 bool isToBePassedOver(const Input &input) {
     return input.found && hasEnding(input.file, ".pdf") && isForeignPdf(bytesFrom(input.file));
 }
+
+namespace {
+
+/// Says which reports next to a test file were made from another state of it.
+void sayOtherStates(const Input &input, const Invocation &invocation) {
+    std::optional<Document> document;
+    for (const QString &report : input.beside) {
+        try {
+            const QByteArray attached = readReportPdf(bytesFrom(report)).testFile;
+            if (!document)
+                document = readDocument(bytesFrom(input.file));
+            const QByteArray own = attachedFile(*document);
+            if (attached != own && attached != attachedFile(*document, Originals::include))
+                printError(report + QStringLiteral(": ") +
+                           invocation.language.sentence(
+                               {REPORT_TEXT("report", "this report was made from another state of the test file "
+                                                      "next to it: fingerprint %1, now %2"),
+                                {shortFingerprint(fingerprint(attached)).toStdString(),
+                                 shortFingerprint(fingerprint(own)).toStdString()}}));
+        } catch (const Error &) { // no report of this program, or damaged: it is no input
+            continue;
+        }
+    }
+}
+
+} // namespace
 
 int eachInput(const Invocation &invocation, const Inputs &inputs,
               const std::function<JobResult(const Input &)> &work, Between between,
@@ -160,7 +232,9 @@ int eachDocument(const Invocation &invocation, const Inputs &inputs,
     const auto onDocument = [&](const Input &input) -> JobResult {
         if (isToBePassedOver(input))
             return {done, {}};
-        return work(input, documentFrom(input.file, invocation));
+        Document document = documentFrom(input.file, invocation);
+        sayOtherStates(input, invocation);
+        return work(input, std::move(document));
     };
     return eachInput(invocation, inputs, onDocument, between, heard);
 }

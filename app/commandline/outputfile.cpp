@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commandline/outputfile.h"
 
+#include "commandline/optionvalues.h"
 #include "commandline/streams.h"
+#include "document/filename.h"
 #include "document/savedocument.h"
 #include "import/formats.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 
 namespace palmer {
 
@@ -80,13 +85,96 @@ void requireOutput(const Invocation &invocation, const QString &file,
                       {file.toStdString(), expected}});
 }
 
-QStringList outputsInFolder(const QString &output, const Inputs &inputs, const QString &ending) {
+namespace {
+
+/// A value as part of a file name: no separators, no control characters, not hidden; "_" if there is none.
+QString namePart(const std::string &value) {
+    constexpr qsizetype longest = 80;
+    QString part = QString::fromStdString(value).simplified().left(longest);
+    std::ranges::replace_if(
+        part, [](QChar c) { return !c.isPrint() || QStringLiteral("/\\:*?\"<>|").contains(c); }, u'_');
+    return part.isEmpty() || part.startsWith(u'.') ? u'_' + part : part;
+}
+
+/// Words of --name and their values for a document.
+struct NameWord {
+    const char *word;
+    std::string (*value)(const Document &);
+};
+
+constexpr std::array nameWords{
+    NameWord{"machine", [](const Document &d) { return d.machine.name; }},
+    NameWord{"serialNumber", [](const Document &d) { return d.machine.serialNumber; }},
+    NameWord{"number", [](const Document &d) { return d.report.number; }},
+    NameWord{"axis",
+             [](const Document &d) {
+                 std::string axes;
+                 for (const TestPointer &test : d.tests) {
+                     if (const std::string one = axesOf(*test); axes.find(one) == std::string::npos)
+                         axes += one;
+                 }
+                 return axes;
+             }},
+    NameWord{"date",
+             [](const Document &d) {
+                 std::string newest;
+                 for (const TestPointer &test : d.tests)
+                     newest = std::max(newest, test->date.value_or(""));
+                 return newest.empty() ? d.report.date.value_or("") : newest;
+             }},
+};
+
+/// The name that --name gives the output of an input. A file that cannot be read keeps its own.
+QString namedBy(const QString &pattern, const Input &input, const QString &own, const Invocation &invocation) {
+    std::optional<Document> document;
+    try {
+        if (QFileInfo(ReachableFile(input.file).name()).isFile()) // a pipe is read once
+            document = documentFrom(input.file, invocation, Say::nothing);
+    } catch (const Error &) {
+        return own;
+    } catch (const UsageError &) {
+        return own;
+    }
+    QString name = pattern;
+    for (const NameWord &row : nameWords)
+        name.replace(u'{' + QLatin1StringView(row.word) + u'}',
+                     namePart(document ? row.value(*document) : std::string()));
+    return name.replace(QStringLiteral("{file}"), own);
+}
+
+void requirePattern(const QString &pattern) {
+    QString rest = pattern;
+    QStringList known{QStringLiteral("{file}")};
+    for (const NameWord &row : nameWords)
+        known << u'{' + QLatin1StringView(row.word) + u'}';
+    for (const QString &word : known)
+        rest.remove(word);
+    if (rest == pattern || rest.contains(u'{') || rest.contains(u'}'))
+        refuse(nameOption.name, pattern, known.join(QStringLiteral(", ")).toStdString());
+}
+
+} // namespace
+
+void requireNoName(const Invocation &invocation) {
+    if (invocation.has(nameOption.name))
+        refuseEffect("--name", "FOLDER, FILE FILE…");
+}
+
+QStringList outputsInFolder(const Invocation &invocation, const QString &output, const Inputs &inputs,
+                            const QString &ending) {
+    const auto pattern = invocation.value(nameOption.name);
+    if (pattern)
+        requirePattern(*pattern);
     QStringList result;
     std::map<QString, QString> inputOf;
     for (const Input &input : inputs.list) {
         const QFileInfo below(input.file == QLatin1StringView("-") ? QStringLiteral("report") : input.below);
         const QString folder = below.path() == QLatin1StringView(".") ? QString() : below.path() + u'/';
-        const QString file = QDir(output).filePath(folder + below.completeBaseName() + ending);
+        const QString base = below.completeBaseName();
+        const QString name = pattern ? namedBy(*pattern, input, base, invocation) : base;
+        QString file = QDir(output).filePath(folder + name + ending);
+        for (int next = 2; pattern && inputOf.contains(file); ++next)
+            file = QDir(output).filePath(folder + name + u'-' + QString::number(next) + ending);
         const auto [other, isNew] = inputOf.emplace(file, input.shown);
         if (!isNew)
             throw UsageError(

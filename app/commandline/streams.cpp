@@ -17,7 +17,13 @@
 
 #include <QFile>
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <cstdio>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
 
 namespace palmer {
 
@@ -25,21 +31,49 @@ namespace {
 
 constexpr qint64 blockSize = qint64(1) << 20;
 
-QByteArray standardInput() {
+/// Reads to the end what has no size: standard input, a pipe.
+QByteArray readStream(int descriptor, QFileDevice::FileHandleFlag handle, QByteArray bytes = {}) {
     QFile input;
     const auto require = [&input](bool readable) {
         if (!readable)
             throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
                                                   {input.errorString().toStdString()}});
     };
-    require(input.open(stdin, QIODevice::ReadOnly));
-    QByteArray bytes;
+    require(input.open(descriptor, QIODevice::ReadOnly, handle));
     for (QByteArray block = input.read(blockSize); !block.isEmpty(); block = input.read(blockSize)) {
         bytes += block;
         requireReadable(bytes.size());
     }
     require(input.error() == QFileDevice::NoError);
     return bytes;
+}
+
+/// Opens a pipe that somebody writes to, or will within two seconds; null for anything else. `begin`: what was
+/// read of it.
+std::optional<int> openedPipe(const QString &file, QByteArray &begin) {
+    struct stat about {};
+    const QByteArray name = nativeFileName(file);
+    if (::stat(name.constData(), &about) != 0 || !S_ISFIFO(about.st_mode))
+        return {};
+    // NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): POSIX
+    const int pipe = ::open(name.constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    constexpr std::chrono::milliseconds pause(20);
+    constexpr int pauses = 100;
+    for (int waited = 0; pipe >= 0 && waited < pauses; ++waited) {
+        char first = 0;
+        const ssize_t size = ::read(pipe, &first, 1);
+        if (size > 0)
+            begin.append(first);
+        if (size > 0 || (size < 0 && errno == EAGAIN)) { // there is a writer
+            ::fcntl(pipe, F_SETFL, 0);
+            return pipe;
+        }
+        std::this_thread::sleep_for(pause);
+    }
+    // NOLINTEND(cppcoreguidelines-pro-type-vararg)
+    if (pipe >= 0)
+        ::close(pipe);
+    throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "this is a pipe that nobody writes to"), {}});
 }
 
 QString oneLine(QString text) {
@@ -263,7 +297,12 @@ void refuseChoice(const std::string &key) {
 }
 
 QByteArray bytesFrom(const QString &file) {
-    return file == QLatin1StringView("-") ? standardInput() : readBytes(file);
+    if (file == QLatin1StringView("-") || file == QLatin1StringView("/dev/stdin"))
+        return readStream(STDIN_FILENO, QFileDevice::DontCloseHandle);
+    QByteArray begin;
+    if (const auto pipe = openedPipe(file, begin))
+        return readStream(*pipe, QFileDevice::AutoCloseHandle, begin);
+    return readBytes(file);
 }
 
 namespace {
@@ -294,7 +333,7 @@ void requireNoChoice(const Invocation &invocation) {
 
 } // namespace
 
-Document documentFrom(const QString &file, const Invocation &invocation) {
+Document documentFrom(const QString &file, const Invocation &invocation, Say say) {
     const QByteArray bytes = bytesFrom(file);
     const bool isReport = isPdf(bytes);
     if (isReport || isTestFile(bytes, file))
@@ -303,7 +342,8 @@ Document documentFrom(const QString &file, const Invocation &invocation) {
         return prepared(readDocument(readReportPdf(bytes).testFile), invocation);
     if (isTestFile(bytes, file))
         return prepared(withTests(readDocument(bytes)), invocation);
-    Imported imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);
+    Imported imported = say == Say::remarks ? importedFrom(bytes, file, chosenOptions(invocation), invocation)
+                                            : importMeasurement(bytes, file, chosenOptions(invocation));
     requireAnswers(imported, invocation);
     if (const std::vector<std::string> without = choicesWithoutEffect(imported, invocation); !without.empty())
         refuseChoice(without.front());

@@ -6,6 +6,7 @@
 #include "commandline/outputfile.h"
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
+#include "document/filename.h"
 #include "document/savedocument.h"
 #include "export/compensation.h"
 #include "export/dcc.h"
@@ -236,7 +237,8 @@ int runExport(const Invocation &invocation) {
             requireForDcc({evaluated.document, {}, {}, {}}, invocation.language);
             bytes = dcc(simulated(evaluated, SimulateWhich::monteCarloOnly, 0, invocation.language));
         } else if (form == QLatin1StringView("json")) {
-            bytes = readingsJson(evaluated, file, names);
+            bytes = readingsJson(
+                simulated(evaluated, SimulateWhich::monteCarloOnly, 0, invocation.language), shownFileName(file), names);
         } else {
             index = testIndex(invocation, evaluated.tests.size());
             if (compensation) {

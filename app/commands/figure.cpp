@@ -37,7 +37,7 @@ constexpr auto figureOptions = optionList(
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
     Option{"figure", "deviation|circle|counterclockwise|clockwise|budget|diagnosis",
            REPORT_TEXT("report", "which figure; without it that of the test")},
-    jobsOption, preparationOptions[0], foreignOptions);
+    nameOption, jobsOption, preparationOptions[0], foreignOptions);
 
 constexpr const char *deviationWord = "deviation";
 constexpr const char *budgetWord = "budget";
@@ -143,10 +143,12 @@ int runFigure(const Invocation &invocation) {
     const QString ending = endingOf(invocation, output, inputs.several);
     const auto wanted = invocation.value("figure");
     QStringList outputs{output};
-    if (inputs.several)
-        outputs = outputsInFolder(output, inputs, u'.' + ending);
-    else
+    if (inputs.several) {
+        outputs = outputsInFolder(invocation, output, inputs, u'.' + ending);
+    } else {
+        requireNoName(invocation);
         requireOutput(invocation, output, {"svg", "png", "pdf", "csv"});
+    }
     return eachDocument(invocation, inputs, [&](const Input &input, Document document) -> JobResult {
         const EvaluatedDocument evaluated =
             evaluate(std::make_shared<const Document>(std::move(document)), nullptr, {});

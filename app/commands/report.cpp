@@ -48,7 +48,7 @@ constexpr auto reportOptions = optionList(
     Option{
         "edition", "E",
         REPORT_TEXT("report", "evaluate the tests of its kind under another edition (a view: no verdicts)")},
-    preparationOptions, jobsOption, foreignOptions, forceOption);
+    nameOption, preparationOptions, jobsOption, foreignOptions, forceOption);
 
 QStringList languagesOf(const Invocation &invocation, const Document &document) {
     QStringList result;
@@ -98,13 +98,14 @@ public:
             throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
                               {std::string("edition"), std::string(dccOption)}});
         if (m_inputs.several) {
-            m_outputs = outputsInFolder(output, m_inputs, QStringLiteral(".pdf"));
+            m_outputs = outputsInFolder(invocation, output, m_inputs, QStringLiteral(".pdf"));
             const QFileInfo folder(output);
             if (!folder.isDir() && (folder.exists() || folder.suffix().toLower() == QLatin1StringView("pdf")))
                 throw UsageError(
                     {REPORT_TEXT("report", "the reports of several files go into a folder; %1 is none"),
                      {output.toStdString()}});
         } else {
+            requireNoName(invocation);
             requireOutput(invocation, output, {"pdf"});
             m_outputs = {output};
         }

@@ -63,6 +63,11 @@ private slots:
     void findingsAsJson();
     void reportsGoIntoAFolder();
     void reportsNeverShareAFile();
+    void reportsNextToTheirTestFileAreNoInput();
+    void outputsAreNamedByTheirContent();
+    void linksAreFollowedOnce();
+    void pipesAreRead();
+    void aFailedFileIsAnObject();
     void figuresGoIntoAFolder();
 
     void fieldsAreSetByTheirPath_data();
@@ -264,18 +269,83 @@ void BatchCommandTest::reportsNeverShareAFile() {
         runCli({"report", at("in/a.palmer"), at("other/a.palmer"), "-o", at("out"), "--language", "en"});
     QCOMPARE(both.code, 2);
     QVERIFY(both.err.contains("in/a.palmer") && both.err.contains("other/a.palmer"));
-    // A report beside its test file is not written over: it is read.
+    // PDFs in the folder that is written to are no input, and are not written over by their own content.
     QCOMPARE(runCli({"report", at("in/b.palmer"), "-o", at("same/r.pdf"), "--language", "en"}).code, 3);
     QDir().mkpath(at("same"));
     QCOMPARE(runCli({"report", at("in/b.palmer"), "-o", at("same/r.pdf"), "--language", "en"}).code, 0);
     const QByteArray before = contents(at("same/r.pdf"));
-    QCOMPARE(runCli({"report", at("same"), "-o", at("same"), "--language", "fr"}).code, 2);
+    QCOMPARE(runCli({"report", at("same"), "-o", at("same"), "--language", "fr"}).code, 3); // nothing to read
     QCOMPARE(contents(at("same/r.pdf")), before);
     write(at("file"), "x");
     QCOMPARE(runCli({"report", at("in"), "-o", at("file"), "--language", "fr"}).code, 2);
     // The name of one PDF for several: no folder of that name.
     QCOMPARE(runCli({"report", at("in"), "-o", at("all.pdf"), "--language", "fr"}).code, 2);
     QVERIFY(!QFileInfo::exists(at("all.pdf")));
+}
+
+void BatchCommandTest::reportsNextToTheirTestFileAreNoInput() {
+    const QStringList call{"report", at("in"), "-o", at("in"), "--language", "en"};
+    QCOMPARE(runCli(call).code, 1);
+    const CliResult again = runCli(call); // into the same folder
+    QCOMPARE(again.code, 1);
+    QVERIFY2(again.err.isEmpty(), again.err);
+    const auto rows = [this] {
+        return lines(runCli({"evaluate", at("in"), "--json-lines"}).out).size();
+    };
+    QCOMPARE(rows(), 3);
+    QVERIFY(QFile::rename(at("in/b.pdf"), at("in/b.fr.pdf")));
+    QCOMPARE(rows(), 3);
+    QVERIFY(QFile::copy(at("in/b.fr.pdf"), at("in/alone.pdf")));
+    QCOMPARE(rows(), 4);
+    QVERIFY(QFile::remove(at("in/b.palmer")) && QFile::copy(at("in/a.palmer"), at("in/b.palmer")));
+    const CliResult other = runCli({"check", at("in"), "--json-lines"});
+    QCOMPARE(other.err.count('\n'), 1);
+    QVERIFY2(other.err.contains("b.fr.pdf: this report was made from another state"), other.err);
+    QCOMPARE(lines(runCli({"verify", at("in"), "--json-lines"}).out).size(), 4); // of which PDFs are the input
+}
+
+void BatchCommandTest::outputsAreNamedByTheirContent() {
+    const CliResult named = runCli({"report", at("in"), "-o", at("out"), "--language", "en", "--set",
+                                    "machine.name=A/B", "--name", "{machine}-{file}-{axis}"});
+    QCOMPARE(named.code, 1);
+    const QStringList files = QDir(at("out")).entryList(QDir::Files);
+    QVERIFY2(files.size() == 2 && files[0].startsWith("A_B-a-"), qPrintable(files.join(' ')));
+    runCli({"figure", at("in"), "-o", at("pictures"), "--as", "svg", "--set", "machine.name=M", "--name",
+            "{machine}"});
+    QCOMPARE(QDir(at("pictures")).entryList(QDir::Files), QStringList({"M-2.svg", "M.svg"}));
+    QCOMPARE(runCli({"report", at("in"), "-o", at("out"), "--name", "{mashine}"}).code, 2);
+    QCOMPARE(runCli({"report", at("in"), "-o", at("out"), "--name", "all"}).code, 2);
+    QCOMPARE(runCli({"report", at("in/b.palmer"), "-o", at("x.pdf"), "--name", "{machine}"}).code, 2);
+}
+
+void BatchCommandTest::linksAreFollowedOnce() {
+    QVERIFY(QFile::link(at("in/below"), at("in/linked")) && QFile::link(at("in"), at("in/below/around")));
+    QVERIFY(QFile::link(at("in/a.palmer"), at("in/again.palmer")));
+    QCOMPARE(lines(runCli({"evaluate", at("in"), "--json-lines"}).out).size(), 4);
+}
+
+void BatchCommandTest::pipesAreRead() {
+    for (const char *command : {"evaluate <(cat %1)", "cat %1 | %2 evaluate /dev/stdin", "evaluate /dev/stdin < %1"}) {
+        const QString whole = QString(command).contains("%2") ? QString(command).replace("%2", PALMER_CLI)
+                                                              : QStringLiteral(PALMER_CLI " ") + command;
+        QProcess shell;
+        shell.start("/bin/bash", {"-c", QString(whole).replace("%1", at("in/b.palmer")) + " --json"});
+        QVERIFY(shell.waitForFinished(60'000));
+        QVERIFY2(object(shell.readAllStandardOutput())["tests"].isArray(), shell.readAllStandardError());
+    }
+}
+
+void BatchCommandTest::aFailedFileIsAnObject() {
+    write(at("in/bad.palmer"), "{");
+    const CliResult all = runCli({"evaluate", at("in"), at("missing.palmer"), "--json-lines"});
+    QCOMPARE(all.code, 3);
+    QStringList failed;
+    for (const QByteArray &line : lines(all.out)) {
+        if (const QJsonObject one = object(line); one["exit"] == 3)
+            failed << one["file"].toString().section('/', -1);
+    }
+    QCOMPARE(failed, QStringList({"bad.palmer", "missing.palmer"}));
+    QCOMPARE(lines(all.out).size(), 5);
 }
 
 void BatchCommandTest::figuresGoIntoAFolder() {
