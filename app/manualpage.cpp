@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "manualpage.h"
 
+#include <QStringList>
+
 namespace palmer {
 
 namespace {
@@ -14,32 +16,57 @@ QString escaped(QString text) {
     return text.startsWith(u'.') || text.startsWith(u'\'') ? QStringLiteral("\\&") + text : text;
 }
 
+/// Length as mandoc counts it: other characters as \[u00A0].
+qsizetype sizeOf(const QString &line) {
+    constexpr int named = 8;
+    qsizetype size = 0;
+    for (const QChar c : line)
+        size += c.unicode() < 0x80 ? 1 : named;
+    return size;
+}
+
+/// Escaped text in lines of at most 80 bytes where it has blanks.
+QString inLines(const QString &text) {
+    constexpr qsizetype longest = 80;
+    QStringList lines{QString()};
+    for (const QString &word : text.split(u' ')) {
+        if (!lines.last().isEmpty() && sizeOf(lines.last() + u' ' + escaped(word)) > longest)
+            lines << QString();
+        lines.last() += (lines.last().isEmpty() ? QString() : QStringLiteral(" ")) + escaped(word);
+    }
+    return lines.join(u'\n');
+}
+
 } // namespace
 
 ManualPage::ManualPage(const char *name, const Text &whatItIs, const Language &language)
     : m_language(language) {
     const QString program = QString::fromUtf8(name);
-    m_text =
-        QStringLiteral(".TH %1 1 \"\" \"Palmer " PALMER_VERSION "\" \"Palmer\"\n").arg(program.toUpper());
+    m_text = QStringLiteral(".TH %1 1 \"" PALMER_RELEASED "\" \"Palmer " PALMER_VERSION "\" \"Palmer\"\n")
+                 .arg(program.toUpper());
     section(REPORT_TEXT_FOR("report", "NAME", "section of a manual page"));
-    m_text += program + QStringLiteral(" \\- ") + escaped(language.text(whatItIs)) + u'\n';
+    m_text += program + QStringLiteral(" \\-\n") + inLines(language.text(whatItIs)) + u'\n';
 }
 
 void ManualPage::section(const Text &title) {
     m_text += QStringLiteral(".SH ") + escaped(m_language.text(title)) + u'\n';
+    m_begins = true;
 }
 
 void ManualPage::subsection(const QString &title) {
     m_text += QStringLiteral(".SS ") + escaped(title) + u'\n';
+    m_begins = true;
 }
 
 void ManualPage::paragraph(const QString &text) {
-    m_text += QStringLiteral(".PP\n") + escaped(text) + u'\n';
+    m_text += (m_begins ? QString() : QStringLiteral(".PP\n")) + inLines(text) + u'\n';
+    m_begins = false;
 }
 
 void ManualPage::item(const QString &typed, const QString &meaning) {
     m_text +=
-        QStringLiteral(".TP\n\\fB") + escaped(typed) + QStringLiteral("\\fR\n") + escaped(meaning) + u'\n';
+        QStringLiteral(".TP\n\\fB") + escaped(typed) + QStringLiteral("\\fR\n") + inLines(meaning) + u'\n';
+    m_begins = false;
 }
 
 } // namespace palmer

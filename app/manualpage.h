@@ -27,6 +27,7 @@ public:
 private:
     const Language &m_language;
     QString m_text;
+    bool m_begins = false; ///< a section or subsection: its first paragraph needs no mark
 };
 
 } // namespace palmer

@@ -20,13 +20,21 @@ namespace {
 
 using namespace palmer;
 
+QStringList commandNames() {
+    QStringList names;
+    for (const Command &command : commands())
+        names << QString::fromUtf8(command.name);
+    return names;
+}
+
 /// Throws UsageError if there is no such command.
 const Command &commandCalled(const QString &name) {
     const auto found = std::ranges::find_if(
         commands(), [&name](const Command &command) { return name == QString::fromUtf8(command.name); });
     if (found == commands().end())
-        throw UsageError({REPORT_TEXT("report", "unknown command %1; palmer-cli --help lists them"),
-                          {name.toStdString()}});
+        throw UsageError(
+            {REPORT_TEXT("report", "unknown command %1; palmer-cli --help lists them"), {name.toStdString()}},
+            name, commandNames());
     return *found;
 }
 
@@ -35,7 +43,15 @@ int runCommand(const Command &command, const QStringList &words, const Language 
     if (invocation.has("help")) {
         const bool asksKeys = takesKeys(command) &&
                               invocation.arguments.contains(QLatin1StringView(keysWord), Qt::CaseInsensitive);
-        printOut(asksKeys ? keysHelp(invocation.language) : commandHelp(command, invocation.language));
+        const QStringList parts = partsOf(command);
+        const QString part = invocation.arguments.value(0);
+        if (!part.isEmpty() && !parts.isEmpty() && !parts.contains(part))
+            throw UsageError({REPORT_TEXT("report", "%1 does not know “%2”; it knows: %3"),
+                              {std::string(command.name), part.toStdString(),
+                               parts.join(QStringLiteral(", ")).toStdString()}},
+                             part, parts);
+        printOut(asksKeys ? keysHelp(invocation.language)
+                          : commandHelp(command, invocation.language, parts.isEmpty() ? QString() : part));
         return done;
     }
     return command.run(invocation);
@@ -122,7 +138,7 @@ int main(int argc, char *argv[]) {
         const auto application = applicationFor(words, argv);
         return runProgram(words, language);
     } catch (const UsageError &error) {
-        printError(language.sentence(error.message));
+        printError(language.sentence(error.message) + meant(error.given, error.words, language));
         return wrongUsage;
     } catch (const Error &error) {
         printError(QStringLiteral("-"), error, language);

@@ -84,6 +84,14 @@ QString manual(const Language &language) {
     page.paragraph(language.text(whatFilesAre));
     for (const OwnOption &option : ownOptions)
         page.item(QString::fromUtf8(option.name), language.text(option.description));
+    page.section(REPORT_TEXT_FOR("report", "EXAMPLES", "section of a manual page"));
+    page.item(QStringLiteral("palmer x.palmer"), language.text(REPORT_TEXT("report", "an example")));
+    page.section(REPORT_TEXT_FOR("report", "EXIT STATUS", "section of a manual page"));
+    page.item(QStringLiteral("0"), language.text(REPORT_TEXT("report", "done")));
+    page.item(QStringLiteral("2"), language.text(REPORT_TEXT("report", "wrong usage")));
+    page.section(REPORT_TEXT_FOR("report", "FILES", "section of a manual page"));
+    page.item(QStringLiteral("~/.local/share/palmer/register.sqlite"),
+              language.text(REPORT_TEXT("report", "the register")));
     page.section(REPORT_TEXT_FOR("report", "SEE ALSO", "section of a manual page"));
     page.paragraph(QStringLiteral("palmer-cli(1)"));
     return page.text();

@@ -7495,10 +7495,6 @@
         <translation>non identifiée&#xa0;: pas de numéro de série</translation>
     </message>
     <message>
-        <source>register does not know “%1”; it knows: %2</source>
-        <translation>register ne connaît pas «&#xa0;%1&#xa0;»&#x202f;; connus&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>register %1 takes no file</source>
         <translation>register %1 ne prend pas de fichier</translation>
     </message>
@@ -9731,6 +9727,72 @@
         <source>%1 for %2</source>
         <comment>measured, tolerance</comment>
         <translation>%1 pour %2</translation>
+    </message>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>vouliez-vous dire %1&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <source>Exit codes</source>
+        <translation>Codes de retour</translation>
+    </message>
+    <message>
+        <source>this report was made from another state of the test file next to it: fingerprint %1, now %2</source>
+        <translation>ce rapport a été établi à partir d’un autre état du fichier d’essai voisin&#xa0;: empreinte %1, maintenant %2</translation>
+    </message>
+    <message>
+        <source>an example</source>
+        <translation>un exemple</translation>
+    </message>
+    <message>
+        <source>FILES</source>
+        <comment>section of a manual page</comment>
+        <translation>FICHIERS</translation>
+    </message>
+    <message>
+        <source>the register, without --register</source>
+        <translation>le registre, sans --register</translation>
+    </message>
+    <message>
+        <source>the choices kept for --profile</source>
+        <translation>les choix conservés pour --profile</translation>
+    </message>
+    <message>
+        <source>in a folder of the register: machines that are one, intervals</source>
+        <translation>dans un dossier du registre&#xa0;: machines qui n’en font qu’une, périodicités</translation>
+    </message>
+    <message>
+        <source>with several files: what each is called in the folder, from {machine}, {serialNumber}, {number} of the report, {axis}, {date} and {file}; of equal names the later get -2, -3</source>
+        <translation>pour plusieurs fichiers&#xa0;: nom de chacun dans le dossier, formé de {machine}, {serialNumber}, {number} du rapport, {axis}, {date} et {file}&#x202f;; à noms égaux, les suivants reçoivent -2, -3</translation>
+    </message>
+    <message>
+        <source>this is a pipe that nobody writes to</source>
+        <translation>personne n’écrit dans ce tube</translation>
+    </message>
+    <message>
+        <source>unknown profile %1: none is kept here</source>
+        <translation>profil inconnu&#xa0;: %1&#x202f;; aucun n’est conservé ici</translation>
+    </message>
+    <message>
+        <source>unknown parameter %1: the tests have none</source>
+        <translation>paramètre inconnu&#xa0;: %1&#x202f;; les essais n’en ont aucun</translation>
+    </message>
+    <message>
+        <source>%1 does not know “%2”; it knows: %3</source>
+        <translation>%1 ne connaît pas «&#xa0;%2&#xa0;»&#x202f;; connus&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>EXAMPLES</source>
+        <comment>section of a manual page</comment>
+        <translation>EXEMPLES</translation>
+    </message>
+    <message>
+        <source>the register</source>
+        <translation>le registre</translation>
     </message>
     <message>
         <source>type: the type of the machines, or maker and type</source>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace palmer {
 
@@ -27,7 +28,8 @@ void requireWord(const Option &option, const QString &given) {
     if (!words.isEmpty() && !std::ranges::all_of(parts, isWord))
         throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
                           {dashed(option).toStdString(), given.toStdString(),
-                           words.join(QStringLiteral(", ")).toStdString()}});
+                           words.join(QStringLiteral(", ")).toStdString()}},
+                         given, words);
 }
 
 /// Stores an option with its value, which is `given` ("--name=value") or the next word.
@@ -94,6 +96,15 @@ QString optionName(const QString &word) {
     return name == QLatin1StringView("h") ? QStringLiteral("help") : name; // by convention
 }
 
+QStringList optionWords(const Command &command) {
+    QStringList words;
+    for (const auto &options : {command.options, std::span<const Option>(optionsOfAll)}) {
+        for (const Option &option : options)
+            words << dashed(option);
+    }
+    return words;
+}
+
 void resolveLanguage(Invocation &invocation) {
     const auto chosen = invocation.value("language"); // already checked to be a known word
     if (!chosen)
@@ -157,6 +168,49 @@ QStringList wordsOf(const Option &option) {
     return value.split(u'|');
 }
 
+QStringList partsOf(const Command &command) {
+    const QString known = QString::fromUtf8(command.arguments);
+    return known.contains(u'|') && known.front().isLower() ? known.section(u' ', 0, 0).split(u'|')
+                                                           : QStringList();
+}
+
+namespace {
+
+/// Characters to change, insert, leave out or swap until one word is the other (optimal string alignment).
+qsizetype distance(const QString &a, const QString &b) {
+    std::vector<std::vector<qsizetype>> d(static_cast<std::size_t>(a.size()) + 1,
+                                          std::vector<qsizetype>(static_cast<std::size_t>(b.size()) + 1));
+    for (std::size_t i = 0; i < d.size(); ++i) {
+        for (std::size_t j = 0; j < d[i].size(); ++j) {
+            const auto at = [](const QString &word, std::size_t k) {
+                return word[static_cast<qsizetype>(k)];
+            };
+            d[i][j] = static_cast<qsizetype>(i + j);
+            if (i == 0 || j == 0)
+                continue;
+            const qsizetype changed = at(a, i - 1) == at(b, j - 1) ? 0 : 1;
+            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + changed});
+            if (i > 1 && j > 1 && at(a, i - 1) == at(b, j - 2) && at(a, i - 2) == at(b, j - 1))
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    }
+    return d.back().back();
+}
+
+} // namespace
+
+QString meant(const QString &given, const QStringList &words, const Language &language) {
+    constexpr qsizetype longest = 40; // no word is longer
+    const auto closest = std::ranges::min_element(words, {}, [&](const QString &word) {
+        return distance(given.left(longest).toLower(), word.toLower());
+    });
+    if (closest == words.end() ||
+        distance(given.left(longest).toLower(), closest->toLower()) > 1 + given.size() / 4)
+        return {};
+    return language.semicolon() +
+           language.sentence({REPORT_TEXT("report", "did you mean %1?"), {closest->toStdString()}});
+}
+
 std::span<const Option> commonOptions() {
     return optionsOfAll;
 }
@@ -190,7 +244,8 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
                 option = findOption(optionsOfAll, optionName(word));
             if (!option)
                 throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),
-                                  {word.toStdString(), std::string(command.name)}});
+                                  {word.toStdString(), std::string(command.name)}},
+                                 word.section(u'=', 0, 0), optionWords(command));
             const qsizetype mark = word.indexOf(u'=');
             addOption(result, *option, mark < 0 ? std::nullopt : std::optional(word.mid(mark + 1)), words,
                       next);

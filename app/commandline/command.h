@@ -86,16 +86,28 @@ struct Command {
     std::span<const Option> options;
     int (*run)(const Invocation &) = nullptr;
     bool draws = false; ///< needs a QApplication
+    /// Whether a part ("trend" of register) takes an option; null: as Option::goesWith says.
+    bool (*partTakes)(const QString &part, const Option &option) = nullptr;
 };
+
+/// The parts of a command ("circular|positioning"); empty if its arguments are files.
+[[nodiscard]] QStringList partsOf(const Command &command);
+
+/// Returns "; did you mean %1?" for the word closest to `given`, as a sentence; empty if none is close.
+[[nodiscard]] QString meant(const QString &given, const QStringList &words, const Language &language);
 
 /// Wrong usage: one line on stderr, exit code 2.
 class UsageError : public std::runtime_error {
 public:
-    explicit UsageError(Message sentence)
+    explicit UsageError(Message sentence, QString mistyped = {}, QStringList known = {})
         : std::runtime_error(sentence.text.source)
-        , message(std::move(sentence)) {}
+        , message(std::move(sentence))
+        , given(std::move(mistyped))
+        , words(std::move(known)) {}
 
     Message message;
+    QString given;     ///< a word that is unknown,
+    QStringList words; ///< and those that are known: for "did you mean"
 };
 
 /// Throws UsageError: the option has no effect without one of its partners.

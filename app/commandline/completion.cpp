@@ -43,6 +43,8 @@ private:
             commands(), [&](const Command &each) { return word == QLatin1StringView(each.name); });
         if (!m_command && command != commands().end())
             m_command = &*command;
+        else if (m_command && !word.startsWith(u'-'))
+            m_arguments << word;
         const Option *option = optionCalled(word);
         m_open = option && *option->value != 0 ? option : nullptr;
         m_asksHelp |= word == QLatin1StringView("--help");
@@ -112,20 +114,22 @@ private:
     }
 
     void arguments() {
-        const QString known = QString::fromUtf8(m_command->arguments);
         if (m_asksHelp && takesKeys(*m_command))
             add(QString::fromUtf8(keysWord), {});
-        else if (known == QLatin1StringView("[NAME]"))
+        else if (!m_arguments.isEmpty())
+            return;
+        else if (m_command->arguments == std::string_view("[NAME]"))
             for (const JsonFormat &row : jsonFormats())
                 add(QString::fromUtf8(row.name), QString::fromUtf8(row.command));
-        else if (known.contains(u'|') && known.front().isLower()) // "circular|positioning"
-            for (const QString &word : known.split(u'|'))
-                add(word.section(u' ', 0, 0), {});
+        else
+            for (const QString &word : partsOf(*m_command))
+                add(word, {});
     }
 
     const Language &m_language;
     QString m_typed;
     const Command *m_command = nullptr;
+    QStringList m_arguments;
     const Option *m_open = nullptr; ///< option that expects the next value
     bool m_asksHelp = false;
     QString m_text;

@@ -9,6 +9,7 @@
 #include "report/blocks/plaintext.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <string_view>
 
@@ -145,12 +146,70 @@ QString programHelp(const Language &language) {
            inColumns(versionRows(language), textColumns()) + u'\n' + paragraph(filesSentence(language));
 }
 
-QString commandHelp(const Command &command, const Language &language) {
-    std::vector<HelpRow> options = optionRows(command.options, language);
+QString commandHelp(const Command &command, const Language &language, const QString &part) {
+    std::vector<Option> own;
+    std::ranges::copy_if(command.options, std::back_inserter(own), [&](const Option &option) {
+        const QStringList with = QString::fromUtf8(option.goesWith).split(u'|');
+        const bool isOfOther = !partsOf(command).filter(with.front()).isEmpty() && !with.front().isEmpty();
+        return part.isEmpty() ||
+               (command.partTakes ? command.partTakes(part, option) : with.contains(part) || !isOfOther);
+    });
+    std::vector<HelpRow> options = optionRows(own, language);
     std::ranges::move(commonRows(command, language), std::back_inserter(options));
+    QString examples;
+    for (const QString &example : examplesOf(command, part))
+        for (const QString &line : wrapped(QStringLiteral("palmer-cli ") + example, textColumns() - 2))
+            examples += QStringLiteral("  ") + line + u'\n';
+    const QString arguments = part.isEmpty() ? QString::fromUtf8(command.arguments).trimmed() : part;
     return QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) + QStringLiteral(" [OPTION]… ") +
-           QString::fromUtf8(command.arguments).trimmed() + QStringLiteral("\n\n") +
-           paragraph(language.text(command.description)) + u'\n' + inColumns(options, textColumns());
+           arguments + QStringLiteral("\n\n") + paragraph(language.text(command.description)) + u'\n' +
+           inColumns(options, textColumns()) + u'\n' + language.text(REPORT_TEXT("report", "Examples")) +
+           u'\n' + examples + u'\n' + language.text(REPORT_TEXT("report", "Exit codes")) + u'\n' +
+           inColumns(exitRows(language, &command), textColumns());
+}
+
+QStringList examplesOf(const Command &command, const QString &part) {
+    // clang-format off
+    constexpr std::array rows{
+        "evaluate x.palmer --edition 2006", "evaluate FOLDER --table csv",
+        "check x.palmer", "check FOLDER --json-lines",
+        "report x.palmer --language fr,en -o x.pdf", "report FOLDER -o reports --name {machine}-{axis}-{date}",
+        "verify x.fr.pdf", "verify x.pdf --extract x.palmer",
+        "figure x.palmer -o x.svg", "figure FOLDER --as png -o figures",
+        "explain x.palmer A", "explain x.palmer --typical",
+        "import x.rtl --accept -o x.palmer", "import x.csv --set unit=um --set axis=X -o x.palmer",
+        "export x.palmer --as csv -o x.csv", "export x.palmer --as linuxcnc -o x.comp",
+        "targets --axis X --travel 500 -o plan.palmer", "targets --travel 500 --program siemens -o x.mpf",
+        "feed --specified-diameter 100 --specified-feed 500 --diameter 125",
+        "synthesize circular --source backlash:X=6 -o made.palmer", "synthesize positioning --noise 0.5 -o made.palmer",
+        "register scan FOLDER", "register list --due 2030-01-01", "register trend --machine 7 --axis X -o x.svg",
+        "register report --machine 7 -o history.pdf", "register join 7 8", "register interval 7 12",
+        "schema", "schema results",
+        "selftest", "selftest --report validation.pdf"};
+    // clang-format on
+    const QString begin = (QString::fromUtf8(command.name) + u' ' + part).trimmed();
+    QStringList examples;
+    for (const char *row : rows) {
+        if (const QString call = QString::fromUtf8(row); call == begin || call.startsWith(begin + u' '))
+            examples << call;
+    }
+    return examples;
+}
+
+std::vector<HelpRow> exitRows(const Language &language, const Command *command) {
+    constexpr std::array judging{"evaluate", "report", "check", "verify", "selftest"};
+    std::vector<HelpRow> rows{{QStringLiteral("0"), language.text(REPORT_TEXT("report", "done"))}};
+    if (!command ||
+        std::ranges::any_of(judging, [&](std::string_view name) { return name == command->name; }))
+        rows.push_back({QStringLiteral("1"),
+                        language.text(REPORT_TEXT(
+                            "report", "a verdict other than “conforms” (the report is written all the "
+                                      "same), an unmet requirement (check), a difference (verify, "
+                                      "selftest)"))});
+    rows.push_back({QStringLiteral("2"), language.text(REPORT_TEXT("report", "wrong usage"))});
+    rows.push_back({QStringLiteral("3"),
+                    language.text(REPORT_TEXT("report", "a file cannot be read, written or understood"))});
+    return rows;
 }
 
 QString keysHelp(const Language &language) {

@@ -25,13 +25,17 @@ struct HelpRow {
 [[nodiscard]] std::vector<HelpRow> versionRows(const Language &language);
 [[nodiscard]] std::vector<HelpRow> keyRows(const Language &language);
 
+/// Calls of a command, or of a part of it, that work; the exit codes of a command, without one of all.
+[[nodiscard]] QStringList examplesOf(const Command &command, const QString &part = {});
+[[nodiscard]] std::vector<HelpRow> exitRows(const Language &language, const Command *command = nullptr);
+
 /// Describes the possible FILEs, and further keys of --set.
 [[nodiscard]] QString filesSentence(const Language &language);
 [[nodiscard]] QString fieldsSentence(const Language &language);
 
 /// Help of the program, of one command, and of the choices for --set (`--help KEYS`).
 [[nodiscard]] QString programHelp(const Language &language);
-[[nodiscard]] QString commandHelp(const Command &command, const Language &language);
+[[nodiscard]] QString commandHelp(const Command &command, const Language &language, const QString &part = {});
 [[nodiscard]] QString keysHelp(const Language &language);
 
 /// True if the command reads measurement files and accepts choices for them.

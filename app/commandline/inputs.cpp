@@ -74,7 +74,8 @@ private:
                 continue;
             if (entries->is_directory(ignored))
                 walk(entries->path(), name + u'/');
-            else if (isWanted(name) && !(isOutput && hasEnding(name, ".pdf")) && entries->is_regular_file(ignored))
+            else if (isWanted(name) && !(isOutput && hasEnding(name, ".pdf")) &&
+                     entries->is_regular_file(ignored))
                 m_found.push_back({nameOf(name), shownFileName(nameOf(name)), shownFileName(name), true});
         }
     }
@@ -173,12 +174,13 @@ void sayOtherStates(const Input &input, const Invocation &invocation) {
                 document = readDocument(bytesFrom(input.file));
             const QByteArray own = attachedFile(*document);
             if (attached != own && attached != attachedFile(*document, Originals::include))
-                printError(report + QStringLiteral(": ") +
-                           invocation.language.sentence(
-                               {REPORT_TEXT("report", "this report was made from another state of the test file "
-                                                      "next to it: fingerprint %1, now %2"),
-                                {shortFingerprint(fingerprint(attached)).toStdString(),
-                                 shortFingerprint(fingerprint(own)).toStdString()}}));
+                printError(
+                    report + QStringLiteral(": ") +
+                    invocation.language.sentence(
+                        {REPORT_TEXT("report", "this report was made from another state of the test file "
+                                               "next to it: fingerprint %1, now %2"),
+                         {shortFingerprint(fingerprint(attached)).toStdString(),
+                          shortFingerprint(fingerprint(own)).toStdString()}}));
         } catch (const Error &) { // no report of this program, or damaged: it is no input
             continue;
         }

@@ -21,8 +21,8 @@ struct Input {
     QStringList beside = {}; ///< its reports, found next to it: x.pdf, x.fr.pdf of x.palmer; no inputs
 };
 
-/// The given FILEs, and the test files and PDFs in each FOLDER and below, sorted; without PDFs in the folder of -o
-/// and, where test files are wanted, without reports next to their test file.
+/// The given FILEs, and the test files and PDFs in each FOLDER and below, sorted; without PDFs in the folder
+/// of -o and, where test files are wanted, without reports next to their test file.
 struct Inputs {
     std::vector<Input> list;
     bool several = false; ///< more than one, or a folder: output names its file

@@ -36,20 +36,23 @@ QString manualPage(const Language &language) {
         page.subsection(heads[i].left);
         page.paragraph(heads[i].right);
         addItems(page, optionRows(commands()[i].options, language));
+        for (const QString &example : examplesOf(commands()[i]))
+            page.item(QStringLiteral("palmer-cli ") + example,
+                      language.text(REPORT_TEXT("report", "an example")));
     }
     page.section(REPORT_TEXT_FOR("report", "KEYS OF --set", "section of a manual page"));
     addItems(page, keyRows(language));
     page.paragraph(fieldsSentence(language));
     page.section(REPORT_TEXT_FOR("report", "EXIT STATUS", "section of a manual page"));
-    page.item(QStringLiteral("0"), language.text(REPORT_TEXT("report", "done")));
-    page.item(
-        QStringLiteral("1"),
-        language.text(REPORT_TEXT("report", "a verdict other than “conforms” (the report is written all the "
-                                            "same), an unmet requirement (check), a difference (verify, "
-                                            "selftest)")));
-    page.item(QStringLiteral("2"), language.text(REPORT_TEXT("report", "wrong usage")));
-    page.item(QStringLiteral("3"),
-              language.text(REPORT_TEXT("report", "a file cannot be read, written or understood")));
+    addItems(page, exitRows(language));
+    page.section(REPORT_TEXT_FOR("report", "FILES", "section of a manual page"));
+    page.item(QStringLiteral("~/.local/share/palmer/register.sqlite"),
+              language.text(REPORT_TEXT("report", "the register, without --register")));
+    page.item(QStringLiteral("~/.config/palmer/import-profiles.json"),
+              language.text(REPORT_TEXT("report", "the choices kept for --profile")));
+    page.item(QStringLiteral("palmer-machines.json"),
+              language.text(
+                  REPORT_TEXT("report", "in a folder of the register: machines that are one, intervals")));
     page.section(REPORT_TEXT_FOR("report", "ENVIRONMENT", "section of a manual page"));
     page.item(QStringLiteral("LC_ALL, LC_MESSAGES, LANG"),
               language.text(REPORT_TEXT("report", "the language, French or English, without --language")));

@@ -125,7 +125,8 @@ constexpr std::array nameWords{
 };
 
 /// The name that --name gives the output of an input. A file that cannot be read keeps its own.
-QString namedBy(const QString &pattern, const Input &input, const QString &own, const Invocation &invocation) {
+QString namedBy(const QString &pattern, const Input &input, const QString &own,
+                const Invocation &invocation) {
     std::optional<Document> document;
     try {
         if (QFileInfo(ReachableFile(input.file).name()).isFile()) // a pipe is read once

@@ -31,13 +31,14 @@ void requireOutput(const Invocation &invocation, const QString &file,
 /// For commands that write a file for each input into a folder.
 constexpr Option nameOption{
     "name", "PATTERN",
-    REPORT_TEXT("report", "with several files: what each is called in the folder, from {machine}, {serialNumber}, "
-                          "{number} of the report, {axis}, {date} and {file}; of equal names the later get -2, -3")};
+    REPORT_TEXT("report",
+                "with several files: what each is called in the folder, from {machine}, {serialNumber}, "
+                "{number} of the report, {axis}, {date} and {file}; of equal names the later get -2, -3")};
 
-/// Output files of several inputs: in the folder `output`, with the input's path, or named by --name, and another
-/// ending. Throws UsageError if two outputs are the same file or one would overwrite an input.
-[[nodiscard]] QStringList outputsInFolder(const Invocation &invocation, const QString &output, const Inputs &inputs,
-                                          const QString &ending);
+/// Output files of several inputs: in the folder `output`, with the input's path, or named by --name, and
+/// another ending. Throws UsageError if two outputs are the same file or one would overwrite an input.
+[[nodiscard]] QStringList outputsInFolder(const Invocation &invocation, const QString &output,
+                                          const Inputs &inputs, const QString &ending);
 /// The output of a single input. Throws UsageError for --name.
 void requireNoName(const Invocation &invocation);
 

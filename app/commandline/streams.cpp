@@ -48,8 +48,8 @@ QByteArray readStream(int descriptor, QFileDevice::FileHandleFlag handle, QByteA
     return bytes;
 }
 
-/// Opens a pipe that somebody writes to, or will within two seconds; null for anything else. `begin`: what was
-/// read of it.
+/// Opens a pipe that somebody writes to, or will within two seconds; null for anything else. `begin`: what
+/// was read of it.
 std::optional<int> openedPipe(const QString &file, QByteArray &begin) {
     struct stat about {};
     const QByteArray name = nativeFileName(file);
@@ -112,7 +112,12 @@ Error notEnoughMemory() {
 }
 
 void printError(const QString &text) {
-    const QByteArray line = (QStringLiteral("palmer-cli: ") + oneLine(shownFileName(text)) + u'\n').toUtf8();
+    QString shown = QStringLiteral("palmer-cli: ") + oneLine(shownFileName(text));
+    constexpr qsizetype longest = 500;
+    constexpr qsizetype end = 150; // what to do about it
+    if (shown.size() > longest)
+        shown = shown.left(longest - end - 3) + QStringLiteral(" … ") + shown.right(end);
+    const QByteArray line = (shown + u'\n').toUtf8();
     std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
 }
 
@@ -214,8 +219,10 @@ ImportOptions chosenOptions(const Invocation &invocation) {
             std::string known;
             for (const auto &[name, words] : profiles)
                 known += (known.empty() ? "" : ", ") + name;
-            throw UsageError(
-                {REPORT_TEXT("report", "unknown profile %1; known: %2"), {profile->toStdString(), known}});
+            throw known.empty() ? UsageError({REPORT_TEXT("report", "unknown profile %1: none is kept here"),
+                                              {profile->toStdString()}})
+                                : UsageError({REPORT_TEXT("report", "unknown profile %1; known: %2"),
+                                              {profile->toStdString(), known}});
         }
         chosen = found->second;
     }

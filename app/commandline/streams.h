@@ -96,6 +96,7 @@ void requireAnswers(const Imported &imported, const Invocation &invocation);
 /// The document of a file: a test file, the one inside a report, or the import of an instrument file or
 /// table whose questions are answered. Throws Error.
 enum class Say { remarks, nothing };
-[[nodiscard]] Document documentFrom(const QString &file, const Invocation &invocation, Say say = Say::remarks);
+[[nodiscard]] Document documentFrom(const QString &file, const Invocation &invocation,
+                                    Say say = Say::remarks);
 
 } // namespace palmer

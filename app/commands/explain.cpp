@@ -103,8 +103,12 @@ Asked askedOf(const Invocation &invocation, std::size_t tests) {
                 known += (known.empty() ? "" : ", ") + id;
         }
     }
-    throw UsageError({REPORT_TEXT("report", "unknown parameter %1; known: %2"),
-                      {asked.parameter.value_or(QString()).toStdString(), known}});
+    const QString given = asked.parameter.value_or(QString());
+    if (known.empty())
+        throw UsageError(
+            {REPORT_TEXT("report", "unknown parameter %1: the tests have none"), {given.toStdString()}});
+    throw UsageError(
+        {REPORT_TEXT("report", "unknown parameter %1; known: %2"), {given.toStdString(), known}});
 }
 
 /// A value, its source and the options that apply it.

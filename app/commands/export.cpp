@@ -237,8 +237,8 @@ int runExport(const Invocation &invocation) {
             requireForDcc({evaluated.document, {}, {}, {}}, invocation.language);
             bytes = dcc(simulated(evaluated, SimulateWhich::monteCarloOnly, 0, invocation.language));
         } else if (form == QLatin1StringView("json")) {
-            bytes = readingsJson(
-                simulated(evaluated, SimulateWhich::monteCarloOnly, 0, invocation.language), shownFileName(file), names);
+            bytes = readingsJson(simulated(evaluated, SimulateWhich::monteCarloOnly, 0, invocation.language),
+                                 shownFileName(file), names);
         } else {
             index = testIndex(invocation, evaluated.tests.size());
             if (compensation) {

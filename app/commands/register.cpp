@@ -313,6 +313,16 @@ const std::vector<Part> &parts() {
     return all;
 }
 
+/// True if the part takes the option, as every part takes that of the register and the language.
+bool takes(const QString &part, const Option &option) {
+    const auto found =
+        std::ranges::find_if(parts(), [&](const Part &one) { return part == QLatin1StringView(one.name); });
+    const std::string_view name = option.name;
+    return name == "register" || name == "language" ||
+           (found != parts().end() &&
+            std::ranges::any_of(found->options, [&](const char *own) { return name == own; }));
+}
+
 int runRegister(const Invocation &invocation) {
     const QString word = invocation.arguments.front();
     const auto part =
@@ -321,15 +331,12 @@ int runRegister(const Invocation &invocation) {
         std::string known;
         for (const Part &one : parts())
             known += (known.empty() ? "" : ", ") + std::string(one.name);
-        throw UsageError({REPORT_TEXT("report", "register does not know “%1”; it knows: %2"),
-                          {word.toStdString(), known}});
+        throw UsageError({REPORT_TEXT("report", "%1 does not know “%2”; it knows: %3"),
+                          {std::string("register"), word.toStdString(), known}},
+                         word, partsOf(registerCommand()));
     }
     for (const auto &[name, value] : invocation.options) {
-        const bool isKnown = name == QLatin1StringView("register") || name == QLatin1StringView("language") ||
-                             std::ranges::any_of(part->options, [&name = name](const char *option) {
-                                 return name == QLatin1StringView(option);
-                             });
-        if (!isKnown)
+        if (!takes(word, *findOption(registerOptions, name)))
             throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),
                               {(QString(name.size() == 1 ? 1 : 2, u'-') + name).toStdString(),
                                "register " + std::string(part->name)}});
@@ -367,7 +374,8 @@ Command registerCommand() {
                     "report, type, join MACHINE MACHINE, interval MACHINE MONTHS"),
         registerOptions,
         runRegister,
-        true};
+        true,
+        takes};
 }
 
 } // namespace palmer

@@ -40,8 +40,10 @@ std::vector<std::string> parametersAsked(const Invocation &invocation, const std
             std::string all;
             for (const std::string &name : known)
                 all += (all.empty() ? "" : ", ") + name;
-            throw UsageError(
-                {REPORT_TEXT("report", "these tests have no parameter %1; they have: %2"), {id, all}});
+            throw all.empty()
+                ? UsageError({REPORT_TEXT("report", "unknown parameter %1: the tests have none"), {id}})
+                : UsageError(
+                      {REPORT_TEXT("report", "these tests have no parameter %1; they have: %2"), {id, all}});
         }
         result.push_back(*found);
     }

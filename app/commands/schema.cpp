@@ -24,10 +24,14 @@ int runSchema(const Invocation &invocation) {
         printOut(inColumns(rows, textColumns()));
         return done;
     }
+    QStringList names;
+    for (const JsonFormat &row : jsonFormats())
+        names << QString::fromUtf8(row.name);
     const JsonFormat *row = findJsonFormat(invocation.arguments.front().toStdString());
     if (!row || invocation.arguments.size() > 1)
         throw UsageError({REPORT_TEXT("report", "there is no schema %1; palmer-cli schema lists them"),
-                          {invocation.arguments.join(u' ').toStdString()}});
+                          {invocation.arguments.join(u' ').toStdString()}},
+                         invocation.arguments.front(), names);
     QFile file(QStringLiteral(":/schema/") + QString::fromStdString(schemaFile(*row)));
     if (!file.open(QIODevice::ReadOnly))
         throw Error(Error::Kind::unreadable,

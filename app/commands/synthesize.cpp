@@ -302,7 +302,7 @@ int runSynthesize(const Invocation &invocation) {
     document.writtenBy = "Palmer " PALMER_VERSION;
     if (!isCircular) {
         const PositioningSynthesis asked = positioning(invocation);
-        document.tests.push_back(madeTest(invocation.language, "made", synthesizePositioning(asked)));
+        document.tests.push_back(madeTest(namesLanguage(invocation), "made", synthesizePositioning(asked)));
         return write(document, truthJson(asked), invocation, output);
     }
     CircularSynthesis asked = circular(invocation);
@@ -312,7 +312,7 @@ int runSynthesize(const Invocation &invocation) {
         one.feed = all[i];
         one.noise.seed += static_cast<long long>(i); // independent noise for every test
         const std::string id = "made-" + std::to_string(i + 1);
-        document.tests.push_back(madeTest(invocation.language, id.c_str(), synthesizeCircular(one)));
+        document.tests.push_back(madeTest(namesLanguage(invocation), id.c_str(), synthesizeCircular(one)));
     }
     return write(document, truthJson(asked, all), invocation, output);
 }

@@ -65,6 +65,12 @@ constexpr std::array targetsOptions{
     forceOption,
 };
 
+// What a control executes.
+constexpr double smallestMotion = 0.001;
+constexpr double mostFeed = 1e6;      ///< mm/min, °/min
+constexpr double mostDwell = 3600;    ///< s
+constexpr double mostApproach = 1000; ///< mm, degrees
+
 /// The value of an option, which must be greater than a bound.
 std::optional<double> number(const Invocation &invocation, const char *option, double greaterThan) {
     const auto given = invocation.value(option);
@@ -180,9 +186,13 @@ CycleProgram program(const Invocation &invocation, CycleProgram result, double a
     if (const auto cycle = invocation.value("cycle"))
         result.cycle = *cycle == QLatin1StringView("step") ? Cycle::step : Cycle::standard;
     result.runs = whole(invocation, "runs", 1, 1000).value_or(runs);
-    if (const auto feed = number(invocation, "feed", 0))
+    const auto between = [&](const char *option, double most) -> std::optional<double> {
+        const auto given = invocation.value(option);
+        return given ? std::optional(numberBetween(option, *given, smallestMotion, most)) : std::nullopt;
+    };
+    if (const auto feed = between("feed", mostFeed))
         result.feed = feed;
-    result.dwell = number(invocation, "dwell", 0).value_or(result.dwell);
+    result.dwell = between("dwell", mostDwell).value_or(result.dwell);
     result.approach = approach;
     return result;
 }
@@ -219,7 +229,10 @@ int writeTargets(const Invocation &invocation) {
     Begun base = begun(invocation);
     if (const Edition *asked = editionAsked(invocation, Kind::positioning))
         base.edition = asked;
-    const double approach = number(invocation, "approach", 0).value_or(base.program.approach);
+    const auto givenApproach = invocation.value("approach");
+    const double approach = givenApproach
+                                ? numberBetween("approach", *givenApproach, smallestMotion, mostApproach)
+                                : base.program.approach;
     const auto plans = planMeasurements(request(invocation, base, approach), interval(invocation, "zone"));
     const bool isEmpty = plans.empty() || plans.back().plan.targets.empty();
     if (isEmpty)

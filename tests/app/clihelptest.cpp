@@ -144,6 +144,8 @@ private slots:
         QCOMPARE(following({"import", "--help", ""}), QStringList{"KEYS"});
         QVERIFY(following({"evaluate", "--edition", "ISO230-2:20"}).contains("ISO230-2:2014"));
         QCOMPARE(following({"evaluate", "x"}), QStringList()); // the shell knows the files
+        QCOMPARE(following({"register", "scan", ""}), QStringList());
+        QVERIFY(following({"schema", ""}).contains("results"));
         QVERIFY(out({"--complete", "ev"}, {}, "fr_FR.UTF-8").contains("résultats"));
         QCOMPARE(out({"evaluate", "--edition", "ISO230-2:2014", EXAMPLES "rotary-axis.palmer"}),
                  out({"evaluate", "--edition", "ISO 230-2:2014", EXAMPLES "rotary-axis.palmer"}));
@@ -170,6 +172,81 @@ private slots:
             for (const QString &line : page.split('\n'))
                 QVERIFY2(!line.startsWith('\'') && !line.startsWith(". "), qPrintable(line));
         }
+    }
+
+    void everyHelpHasExamplesAndExitCodes() {
+        for (const QString &command : commands()) {
+            if (command == "help")
+                continue;
+            const QString help = out({command, "--help"}, "1000");
+            const QString examples = help.section("\nExamples\n", 1).section("\nExit codes\n", 0, 0);
+            QVERIFY2(help.contains("\nExit codes\n  0  done\n"), qPrintable(command));
+            QVERIFY2(examples.contains("  palmer-cli " + command), qPrintable(command));
+            for (const QString &example : examples.split('\n', Qt::SkipEmptyParts)) {
+                for (const QString &word : example.split(' ', Qt::SkipEmptyParts))
+                    QVERIFY2(!word.startsWith('-') || help.contains("\n  " + word + ' '),
+                             qPrintable(example));
+            }
+        }
+        const QString trend = out({"help", "register", "trend"}, "1000");
+        QVERIFY(trend.contains("--parameter") && !trend.contains("--prune") &&
+                trend.contains("register trend"));
+        QVERIFY(!trend.contains("register scan"));
+        QCOMPARE(out({"register", "trend", "--help"}, "1000"), trend);
+        QVERIFY(!out({"help", "synthesize", "positioning"}).contains("--radius"));
+        QVERIFY(out({"help", "synthesize", "circular"}).contains("--radius"));
+    }
+
+    void mandocHasNothingToSay() {
+        for (const char *locale : {"C", "fr_FR.UTF-8"}) {
+            QProcess lint;
+            lint.start("mandoc", {"-Tlint"});
+            QVERIFY(lint.waitForStarted());
+            lint.write(out({"--manual-page"}, {}, locale).toUtf8());
+            lint.closeWriteChannel();
+            QVERIFY(lint.waitForFinished());
+            QCOMPARE(lint.readAllStandardOutput() + lint.readAllStandardError(), QByteArray());
+        }
+    }
+
+    void wrongUsageIsSaidInOneLine_data() {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QByteArray>("says");
+        const QString axis = EXAMPLES "rotary-axis.palmer";
+        QTest::newRow("a command") << QStringList{"evalaute", axis} << QByteArray("did you mean evaluate?");
+        QTest::newRow("an option") << QStringList{"evaluate", axis, "--jsno"}
+                                   << QByteArray("did you mean --json?");
+        QTest::newRow("a word") << QStringList{"evaluate", axis, "--table", "txet"}
+                                << QByteArray("did you mean text?");
+        QTest::newRow("a part") << QStringList{"register", "trand"} << QByteArray("did you mean trend?");
+        QTest::newRow("help of a part")
+            << QStringList{"help", "register", "scna"} << QByteArray("did you mean scan?");
+        QTest::newRow("a schema") << QStringList{"schema", "result"} << QByteArray("did you mean results?");
+        QTest::newRow("no profile") << QStringList{"evaluate", axis, "--profile", "x"}
+                                    << QByteArray("--profile");
+        QTest::newRow("a long name") << QStringList{"feed", QString(5000, 'x')}
+                                     << QByteArray("takes no file");
+        QTest::newRow("a long option")
+            << QStringList{"feed", "--" + QString(5000, 'x')} << QByteArray("of the command");
+        for (const char *option : {"--dwell", "--feed", "--approach"})
+            QTest::newRow(option) << QStringList{"targets", "--travel", "500", option, "1e9", "-o", "-"}
+                                  << QByteArray(option);
+    }
+    void wrongUsageIsSaidInOneLine() {
+        QFETCH(const QStringList, words);
+        QFETCH(const QByteArray, says);
+        const QTemporaryDir home;
+        const CliResult result = runCli(words, {}, {{"XDG_CONFIG_HOME", home.path()}});
+        QCOMPARE(result.code, 2);
+        QCOMPARE(result.err.count('\n'), 1);
+        QVERIFY2(result.err.contains(says), result.err);
+        QVERIFY2(QString::fromUtf8(result.err).size() <= 501, result.err);
+        QVERIFY2(!result.err.trimmed().endsWith(':'), result.err);
+    }
+
+    void aSynthesisIsTheSameInEveryLocale() {
+        const QStringList call{"synthesize", "positioning", "--noise", "1", "-o", "-"};
+        QCOMPARE(out(call, {}, "fr_FR.UTF-8"), out(call));
     }
 
     // Names that are bytes and no UTF-8, as on old disks.

@@ -19,7 +19,8 @@ private slots:
 
 void ReadmeTest::everyCommandDoesWhatItSays() {
     QByteArray text;
-    for (const char *page : {"README.md", "doc/files.md", "doc/register.md", "doc/verification.md", "doc/scope.md"}) {
+    for (const char *page :
+         {"README.md", "doc/files.md", "doc/register.md", "doc/verification.md", "doc/scope.md"}) {
         QFile file(QStringLiteral(SOURCE "/") + page);
         QVERIFY2(file.open(QIODevice::ReadOnly), page);
         const QByteArray bytes = file.readAll();
