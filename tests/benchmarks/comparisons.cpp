@@ -113,14 +113,14 @@ int main(int argc, char **argv) {
                 const double second = truth.device / 2 * micrometre * travel / 1000 * normal(random);
                 const Test before = testOf(truth, first, random);
                 const Test after = testOf(truth, shared ? first : second, random);
-                ComparedTest a{&before, {}};
-                ComparedTest b{&after, {}};
-                for (ComparedTest *one : {&a, &b}) {
+                PairedTest a{&before, {}};
+                PairedTest b{&after, {}};
+                for (PairedTest *one : {&a, &b}) {
                     one->surroundings.machine = &machine;
                     if (shared)
                         one->surroundings.instruments = {&laser};
                 }
-                addPair(counts, compareTests(a, b));
+                addPair(counts, compareTwoTests(a, b));
             }
             const auto percent = [&](int count) { return 100.0 * count / counts.pairs; };
             std::printf("n = %d, device %s, %d pairs: band %.1f %%, one of A E M R B changed %.1f %%\n",

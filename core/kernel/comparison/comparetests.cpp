@@ -119,11 +119,9 @@ std::vector<std::string> sensorPlaces(const Conditions &conditions, SensorMeasur
     return places;
 }
 
-std::vector<SharedError> sharedErrors(const ComparedTest &a, const ComparedTest &b,
+std::vector<SharedError> sharedErrors(const PairedTest &a, const PairedTest &b,
                                       const ComparisonOptions &options) {
-    const auto conditions = [](const ComparedTest &t) -> const Conditions & {
-        return *conditionsOf(*t.test);
-    };
+    const auto conditions = [](const PairedTest &t) -> const Conditions & { return *conditionsOf(*t.test); };
     const Expansion &before = conditions(a).expansion;
     const Expansion &after = conditions(b).expansion;
     const bool laboratories = options.role == ComparisonRole::laboratories;
@@ -238,7 +236,7 @@ void removeMean(std::vector<ComparedCurve> &curves) {
 
 class Comparer {
 public:
-    Comparer(const ComparedTest &before, const ComparedTest &after, const ComparisonOptions &options)
+    Comparer(const PairedTest &before, const PairedTest &after, const ComparisonOptions &options)
         : m_before(before)
         , m_after(after)
         , m_options(options) {}
@@ -338,7 +336,7 @@ private:
 
     /// Too few common targets: at those of the second test, between those of the first.
     void interpolateCurves() {
-        const auto statisticsOf = [&](const ComparedTest &t) {
+        const auto statisticsOf = [&](const PairedTest &t) {
             return std::get<PositioningResults>(evaluation(*t.test, t.surroundings).results).targets;
         };
         const auto &a = std::get<PositioningMeasurement>(m_before.test->measurement);
@@ -475,16 +473,16 @@ private:
             m_result.noWord = NoWord::noRepeatability;
     }
 
-    const ComparedTest &m_before;
-    const ComparedTest &m_after;
+    const PairedTest &m_before;
+    const PairedTest &m_after;
     const ComparisonOptions &m_options;
     TestComparison m_result;
 };
 
 } // namespace
 
-TestComparison compareTests(const ComparedTest &before, const ComparedTest &after,
-                            const ComparisonOptions &options) {
+TestComparison compareTwoTests(const PairedTest &before, const PairedTest &after,
+                               const ComparisonOptions &options) {
     return Comparer(before, after, options).compare();
 }
 

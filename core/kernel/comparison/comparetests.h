@@ -15,7 +15,7 @@ namespace palmer {
 // standard.
 
 /// A test with what its evaluation depends on.
-struct ComparedTest {
+struct PairedTest {
     const Test *test = nullptr;
     Surroundings surroundings;
 };
@@ -67,7 +67,7 @@ struct ComparedParameter {
     std::string index; ///< axes of a circular result; empty for positioning
     double before = 0; ///< of the first n cycles at the common targets
     double after = 0;
-    double difference = 0;                    ///< after − before
+    double difference = 0;                         ///< after − before
     std::optional<double> uncertainty = {};        ///< U(d)
     std::optional<double> errorsAlone = {};        ///< part of it from the errors of measurement
     std::optional<double> repeatabilityAlone = {}; ///< U_rep: from the residuals
@@ -112,8 +112,8 @@ inline constexpr double sameTarget = 1e-6; ///< mm or degrees
 /// the budget without independent drift, which the residuals hold; those that both share have one draw. Each
 /// trial goes through the real evaluation; U(d) = 95.45 % quantile of |d* − mean(d*)|. Incomplete budgets:
 /// √(U_a² + U_b² + U_rep²). Circles: √(U_a² + U_b²), each with its repeatability.
-[[nodiscard]] TestComparison compareTests(const ComparedTest &before, const ComparedTest &after,
-                                          const ComparisonOptions &options = {});
+[[nodiscard]] TestComparison compareTwoTests(const PairedTest &before, const PairedTest &after,
+                                             const ComparisonOptions &options = {});
 
 /// The word for a difference; `before` and `after` only for the sign of what is compared by magnitude.
 [[nodiscard]] ChangeWord changeWord(double before, double after, Bound bound, double uncertainty,

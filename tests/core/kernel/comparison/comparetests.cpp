@@ -66,14 +66,14 @@ TestComparison compare(const Test &a, const Test &b, ComparisonOptions options =
                        const Instrument *instrumentA = nullptr, const Instrument *instrumentB = nullptr) {
     static const Machine machine;
     options.trials = 20'000;
-    ComparedTest before{&a, {}};
-    ComparedTest after{&b, {}};
+    PairedTest before{&a, {}};
+    PairedTest after{&b, {}};
     before.surroundings.machine = after.surroundings.machine = &machine;
     if (instrumentA)
         before.surroundings.instruments = {instrumentA};
     if (instrumentB)
         after.surroundings.instruments = {instrumentB};
-    return compareTests(before, after, options);
+    return compareTwoTests(before, after, options);
 }
 
 const ComparedParameter &parameter(const TestComparison &comparison, const char *id) {
