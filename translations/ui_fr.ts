@@ -5215,10 +5215,6 @@ est la même machine que&#xa0;:</translation>
         <translation>Aucun fichier pour l’instant. Commencez par un exemple.</translation>
     </message>
     <message>
-        <source>Examples</source>
-        <translation>Exemples</translation>
-    </message>
-    <message>
         <source>verified results</source>
         <translation>résultats vérifiés</translation>
     </message>

@@ -209,6 +209,7 @@ QStringList OptionEffectTest::valuesOf(const QString &name) const {
         {"--edition", {"ISO 230-2:1988", "ISO 230-4:1996"}},
         {"--editions", {"ISO 230-2:1988", "ISO 230-4:1996"}},
         {"--jobs", {"2"}},
+        {"--name", {"{axis}"}},
         {"--seed", {"7"}},
         {"--trials", {"1000"}},
         {"--threads", {"2"}},

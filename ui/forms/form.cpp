@@ -645,7 +645,7 @@ bool Form::isComplete(const Section &section) const {
 QString Form::valuesOf(const Section &section) const {
     QStringList values;
     for (const Entry &entry : fieldsOf(section)) {
-        const QString text = entry.field->text().simplified();
+        const QString text = entry.field->text().trimmed().replace(u'\n', u' '); // no-break spaces stay
         if (text.isEmpty())
             continue;
         const bool answers = entry.words.size() > 1 && std::string_view(entry.words[1].source) == "yes";
