@@ -42,6 +42,7 @@ constexpr Layer layers[]{
      "kernel/words kernel/numerics kernel/measurement kernel/evaluation kernel/simulation"},
     {"core/kernel/comparison",
      "kernel/numerics kernel/measurement kernel/uncertainty kernel/evaluation kernel/simulation"},
+    {"core/kernel/thermal", "kernel/numerics"},
     {"core/kernel/trend", "kernel/numerics"},
     {"core/kernel/typetest", "kernel/numerics"},
     {"core/language", "kernel/words kernel/measurement"},
