@@ -7992,8 +7992,8 @@
         <translation>terminé</translation>
     </message>
     <message>
-        <source>a verdict other than “conforms” (the report is written all the same), an unmet requirement (check), a difference (verify, selftest)</source>
-        <translation>un verdict autre que «&#xa0;conforme&#xa0;» (le rapport est écrit malgré tout), une exigence non satisfaite (check), une différence (verify, selftest)</translation>
+        <source>a verdict other than “conforms” (the report is written all the same), an unmet requirement (check), a difference (verify, compare, selftest)</source>
+        <translation>un verdict autre que «&#xa0;conforme&#xa0;» (le rapport est écrit malgré tout), une exigence non satisfaite (check), une différence (verify, compare, selftest)</translation>
     </message>
     <message>
         <source>wrong usage</source>
@@ -9929,6 +9929,259 @@
     <message>
         <source>line %1 of what was pasted: “%2” cannot stand in this column</source>
         <translation>ligne %1 du bloc collé&#xa0;: «&#xa0;%2&#xa0;» ne peut pas figurer dans cette colonne</translation>
+    </message>
+    <message>
+        <source>Difference of the mean deviations</source>
+        <translation>Différence des écarts moyens</translation>
+    </message>
+    <message>
+        <source>after − before</source>
+        <translation>après − avant</translation>
+    </message>
+    <message>
+        <source>x̄ bi-directional ± U for all points</source>
+        <translation>x̄ bidirectionnel ± U pour tous les points</translation>
+    </message>
+    <message>
+        <source>x̄ bi-directional</source>
+        <translation>x̄ bidirectionnel</translation>
+    </message>
+    <message>
+        <source>The two tests are of different kinds: they are not compared.</source>
+        <translation>Les deux essais sont de nature différente : ils ne sont pas comparés.</translation>
+    </message>
+    <message>
+        <source>The two tests are of different axes or planes: they are not compared.</source>
+        <translation>Les deux essais portent sur des axes ou des plans différents : ils ne sont pas comparés.</translation>
+    </message>
+    <message>
+        <source>The two tests were made in different directions: they are not compared.</source>
+        <translation>Les deux essais ont été faits dans des sens différents : ils ne sont pas comparés.</translation>
+    </message>
+    <message>
+        <source>The two circles differ in radius or signal: they are not compared.</source>
+        <translation>Les deux cercles diffèrent par le rayon ou le signal : ils ne sont pas comparés.</translation>
+    </message>
+    <message>
+        <source>Tests without an edition have no results to be compared.</source>
+        <translation>Des essais sans édition n’ont pas de résultats à comparer.</translation>
+    </message>
+    <message>
+        <source>Both laboratories used the same instrument: its error is in both results, and E_n would not see it.</source>
+        <translation>Les deux laboratoires ont utilisé le même instrument : son erreur est dans les deux résultats et E_n ne la verrait pas.</translation>
+    </message>
+    <message>
+        <source>Fewer than 5 common targets: nothing is said of the parameters.</source>
+        <translation>Moins de 5 points visés communs : rien n’est dit des grandeurs.</translation>
+    </message>
+    <message>
+        <source>One cycle alone shows no repeatability: nothing is said of a change.</source>
+        <translation>Un seul cycle ne montre aucune répétabilité : rien n’est dit d’un changement.</translation>
+    </message>
+    <message>
+        <source>The repeatability of the circles is not known: nothing is said of a change.</source>
+        <translation>La répétabilité des cercles n’est pas connue : rien n’est dit d’un changement.</translation>
+    </message>
+    <message>
+        <source>No uncertainty is known in both tests: nothing is said of a change.</source>
+        <translation>Aucune incertitude n’est connue dans les deux essais : rien n’est dit d’un changement.</translation>
+    </message>
+    <message>
+        <source>the instrument</source>
+        <comment>shared error</comment>
+        <translation>l’instrument</translation>
+    </message>
+    <message>
+        <source>temperature sensors of the machine</source>
+        <comment>shared error</comment>
+        <translation>capteurs de température de la machine</translation>
+    </message>
+    <message>
+        <source>α of the machine</source>
+        <comment>shared error</comment>
+        <translation>α de la machine</translation>
+    </message>
+    <message>
+        <source>temperature sensors of the instrument</source>
+        <comment>shared error</comment>
+        <translation>capteurs de température de l’instrument</translation>
+    </message>
+    <message>
+        <source>α of the instrument</source>
+        <comment>shared error</comment>
+        <translation>α de l’instrument</translation>
+    </message>
+    <message>
+        <source>misalignment</source>
+        <comment>shared error</comment>
+        <translation>défaut d’alignement</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <comment>of two tests</comment>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <comment>of two tests</comment>
+        <translation>après</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Différence</translation>
+    </message>
+    <message>
+        <source>Statement</source>
+        <translation>Énoncé</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Passes</translation>
+    </message>
+    <message>
+        <source>no change proven</source>
+        <translation>aucun changement prouvé</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <comment>a value</comment>
+        <translation>changé</translation>
+    </message>
+    <message>
+        <source>changed, better</source>
+        <translation>changé, mieux</translation>
+    </message>
+    <message>
+        <source>changed, worse</source>
+        <translation>changé, moins bien</translation>
+    </message>
+    <message>
+        <source>unchanged within t</source>
+        <translation>inchangé à t près</translation>
+    </message>
+    <message>
+        <source>changed by more than t</source>
+        <translation>changé de plus de t</translation>
+    </message>
+    <message>
+        <source>the results agree</source>
+        <translation>les résultats concordent</translation>
+    </message>
+    <message>
+        <source>the results disagree</source>
+        <translation>les résultats divergent</translation>
+    </message>
+    <message>
+        <source>Comparison of two tests</source>
+        <translation>Comparaison de deux essais</translation>
+    </message>
+    <message>
+        <source>Difference of two results of the standard; the comparison itself is an interpretation, not a result of it.</source>
+        <translation>Différence de deux résultats de la norme ; la comparaison elle-même est une interprétation et non un résultat de celle-ci.</translation>
+    </message>
+    <message>
+        <source>Differences of the conditions</source>
+        <translation>Conditions qui diffèrent</translation>
+    </message>
+    <message>
+        <source>everything else is stated alike in both tests</source>
+        <translation>tout le reste est indiqué de même dans les deux essais</translation>
+    </message>
+    <message>
+        <source>Agreed tolerance t of a change: %1.</source>
+        <translation>Tolérance t convenue pour un changement : %1.</translation>
+    </message>
+    <message>
+        <source>%1 common targets; the first %2 cycles of each test</source>
+        <translation>%1 points visés communs ; les %2 premiers cycles de chaque essai</translation>
+    </message>
+    <message>
+        <source>Differences of the parameters</source>
+        <translation>Différences des grandeurs</translation>
+    </message>
+    <message>
+        <source>U of the difference: one simulation of both tests, %1 trials, 95.45 %; whole cycles drawn anew.</source>
+        <translation>U de la différence : une simulation des deux essais, %1 tirages, 95,45 % ; cycles entiers tirés à nouveau.</translation>
+    </message>
+    <message>
+        <source>No error of measurement is known to be shared.</source>
+        <translation>Aucune erreur de mesure commune n’est connue.</translation>
+    </message>
+    <message>
+        <source>Shared by both tests: %1; all other errors are those of each.</source>
+        <translation>Commun aux deux essais : %1 ; toutes les autres erreurs sont propres à chacun.</translation>
+    </message>
+    <message>
+        <source>U of the difference: root of the sum of the squares of both U and of the repeatability; nothing shared is known.</source>
+        <translation>U de la différence : racine de la somme des carrés des deux U et de la répétabilité ; rien de commun n’est connu.</translation>
+    </message>
+    <message>
+        <source>“Changed” where the difference exceeds its U, always between these two sessions. Of A, E, M, R and B together about 12 % of unchanged pairs show one changed.</source>
+        <translation>« Changé » lorsque la différence dépasse son U, toujours entre ces deux séances. Parmi A, E, M, R et B réunis, environ 12 % des couples inchangés en montrent un changé.</translation>
+    </message>
+    <message>
+        <source>between targets of the first test: linear; less the mean of all</source>
+        <translation>entre les points visés du premier essai : linéaire ; moins la moyenne de tous</translation>
+    </message>
+    <message>
+        <source>at the common targets, less the mean of all</source>
+        <translation>aux points visés communs, moins la moyenne de tous</translation>
+    </message>
+    <message>
+        <source>Two tests</source>
+        <translation>Deux essais</translation>
+    </message>
+    <message>
+        <source>As found and as left, before and after, two machines, two laboratories: two tests of one axis or plane are compared at their common targets, with as many cycles as both have. Everything else that differs is listed above the result. It is an interpretation, no result of the standard.</source>
+        <translation>État initial et état final, avant et après, deux machines, deux laboratoires : deux essais d’un axe ou d’un plan sont comparés à leurs points visés communs, avec autant de cycles qu’en ont les deux. Tout ce qui diffère par ailleurs est énuméré au-dessus du résultat. C’est une interprétation, non un résultat de la norme.</translation>
+    </message>
+    <message>
+        <source>U of the difference</source>
+        <translation>U de la différence</translation>
+    </message>
+    <message>
+        <source>One simulation of both tests draws whole cycles anew and the errors of the budget, those that both share (the same instrument, α of the machine, the sensors) once for both. The U of each test would say too much of what is shared, and nothing of other cycles.</source>
+        <translation>Une simulation des deux essais tire à nouveau des cycles entiers et les erreurs du budget, celles qui sont communes (le même instrument, α de la machine, les capteurs) une seule fois pour les deux. L’U de chaque essai en dirait trop de ce qui est commun, et rien d’autres cycles.</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Énoncés</translation>
+    </message>
+    <message>
+        <source>“Changed” where the difference exceeds its U, between these two sessions; else “no change proven”. With an agreed tolerance: unchanged within it, changed by more, or not proven. Laboratories are judged by E_n.</source>
+        <translation>« Changé » lorsque la différence dépasse son U, entre ces deux séances ; sinon « aucun changement prouvé ». Avec une tolérance convenue : inchangé à celle-ci près, changé de plus, ou non prouvé. Les laboratoires sont jugés par E_n.</translation>
+    </message>
+    <message>
+        <source>which test of A, and of B, from 1; without it the first of A that has its like in B</source>
+        <translation>quel essai de A, et de B, à partir de 1 ; sinon le premier de A qui a son pareil dans B</translation>
+    </message>
+    <message>
+        <source>two laboratories measured one machine: E_n, only α of the machine is shared</source>
+        <translation>deux laboratoires ont mesuré une même machine : E_n, seul α de la machine est commun</translation>
+    </message>
+    <message>
+        <source>agreed tolerance of a change, µm (rotary: arc seconds): unchanged within it</source>
+        <translation>tolérance convenue pour un changement, µm (rotatif : secondes d’arc) : inchangé à celle-ci près</translation>
+    </message>
+    <message>
+        <source>the instrument stood as it had been aligned: the misalignment is shared</source>
+        <translation>l’instrument est resté tel qu’aligné : le défaut d’alignement est commun</translation>
+    </message>
+    <message>
+        <source>the comparison as JSON</source>
+        <translation>la comparaison en JSON</translation>
+    </message>
+    <message>
+        <source>no test of the first file has its like in the second: same axis or plane, directions and radius; --test names two</source>
+        <translation>aucun essai du premier fichier n’a son pareil dans le second : même axe ou plan, mêmes sens et rayon ; --test en nomme deux</translation>
+    </message>
+    <message>
+        <source>the command %1 takes two files</source>
+        <translation>la commande %1 attend deux fichiers</translation>
+    </message>
+    <message>
+        <source>what has changed from test A to test B: differences with their uncertainty</source>
+        <translation>ce qui a changé de l’essai A à l’essai B : différences avec leur incertitude</translation>
     </message>
 </context>
 </TS>

@@ -424,6 +424,10 @@
             <numerusform>%1 · %2 points, %n passes</numerusform>
         </translation>
     </message>
+    <message>
+        <source>As found and as left</source>
+        <translation>État initial et état final</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::AgreedPointsPage</name>

@@ -217,7 +217,7 @@ std::span<const Option> commonOptions() {
 
 std::span<const Command> commands() {
     static const std::array table{evaluateCommand(), checkCommand(),   reportCommand(),     verifyCommand(),
-                                  figureCommand(),   explainCommand(), importCommand(),     exportCommand(),
+                                  figureCommand(),   explainCommand(), compareCommand(), importCommand(),     exportCommand(),
                                   targetsCommand(),  feedCommand(),    synthesizeCommand(), registerCommand(),
                                   schemaCommand(),   selftestCommand()};
     return table;

@@ -177,6 +177,7 @@ QStringList examplesOf(const Command &command, const QString &part) {
         "verify x.fr.pdf", "verify x.pdf --extract x.palmer",
         "figure x.palmer -o x.svg", "figure FOLDER --as png -o figures",
         "explain x.palmer A", "explain x.palmer --typical",
+        "compare before.palmer after.palmer", "compare x.palmer x.palmer --test 1,2 --json",
         "import x.rtl --accept -o x.palmer", "import x.csv --set unit=um --set axis=X -o x.palmer",
         "export x.palmer --as csv -o x.csv", "export x.palmer --as linuxcnc -o x.comp",
         "targets --axis X --travel 500 -o plan.palmer", "targets --travel 500 --program siemens -o x.mpf",
@@ -197,7 +198,7 @@ QStringList examplesOf(const Command &command, const QString &part) {
 }
 
 std::vector<HelpRow> exitRows(const Language &language, const Command *command) {
-    constexpr std::array judging{"evaluate", "report", "check", "verify", "selftest"};
+    constexpr std::array judging{"evaluate", "report", "check", "verify", "compare", "selftest"};
     std::vector<HelpRow> rows{{QStringLiteral("0"), language.text(REPORT_TEXT("report", "done"))}};
     if (!command ||
         std::ranges::any_of(judging, [&](std::string_view name) { return name == command->name; }))
@@ -205,7 +206,7 @@ std::vector<HelpRow> exitRows(const Language &language, const Command *command) 
                         language.text(REPORT_TEXT(
                             "report", "a verdict other than “conforms” (the report is written all the "
                                       "same), an unmet requirement (check), a difference (verify, "
-                                      "selftest)"))});
+                                      "compare, selftest)"))});
     rows.push_back({QStringLiteral("2"), language.text(REPORT_TEXT("report", "wrong usage"))});
     rows.push_back({QStringLiteral("3"),
                     language.text(REPORT_TEXT("report", "a file cannot be read, written or understood"))});

@@ -13,6 +13,7 @@ namespace palmer {
 [[nodiscard]] Command verifyCommand();
 [[nodiscard]] Command figureCommand();
 [[nodiscard]] Command explainCommand();
+[[nodiscard]] Command compareCommand();
 [[nodiscard]] Command importCommand();
 [[nodiscard]] Command exportCommand();
 [[nodiscard]] Command targetsCommand(); ///< a plan of targets, or the part program that measures it

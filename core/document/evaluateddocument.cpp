@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/evaluateddocument.h"
 
+#include "document/comparedtests.h"
 #include "document/picture.h"
 #include "document/testsofverdict.h"
 
@@ -213,6 +214,10 @@ TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPoi
 }
 
 } // namespace
+
+Surroundings surroundingsOf(const Document &document, std::size_t test) {
+    return surroundings(document, *document.tests[test]);
+}
 
 std::optional<double> driftRange(const Document &document, const std::string &id, Motion motion) {
     for (const TestPointer &test : document.tests) {

@@ -20,6 +20,7 @@ constexpr std::array rows{
     JsonFormat{"readings", "palmer results", 1, "palmer-results", "export --as json"},
     JsonFormat{"verification", "palmer verification", 1, "palmer-verification", "verify --json"},
     JsonFormat{"explanation", "palmer explanation", 1, "palmer-explanation", "explain --json"},
+    JsonFormat{"comparison", "palmer comparison", 1, "palmer-comparison", "compare --json"},
     JsonFormat{"import", "palmer import", 1, "palmer-import", "import --json"},
     JsonFormat{"targets", "palmer targets", 1, "palmer-targets", "targets --json"},
     JsonFormat{"feed", "palmer feed", 1, "palmer-feed", "feed --json"},

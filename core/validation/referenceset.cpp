@@ -34,8 +34,8 @@ inline constexpr auto
 template <>
 inline constexpr auto fileWords<Expected> = wordsInOrder<Expected>("parameter", "statistic", "contribution",
                                                                    "drift", "correction", "influence",
-                                                                   "compensation", "trend", "contouringFeed",
-                                                                   "circle");
+                                                                   "comparison", "compensation", "trend",
+                                                                   "contouringFeed", "circle", "sheet");
 template <>
 inline constexpr auto fileWords<CompensationFormat> = wordsInOrder<CompensationFormat>("linuxcnc", "siemens",
                                                                                        "weihong", "csv");
@@ -157,8 +157,10 @@ ReferenceSet readReferenceSet(const QByteArray &bytes) {
     QJsonArray tests = file["tests"_L1].toArray();
     if (file.contains("test"_L1))
         tests.append(file["test"_L1]);
-    const QJsonObject document{
-        {u"format"_s, u"palmer test report"_s}, {u"version"_s, 1}, {u"tests"_s, tests}};
+    const QJsonObject document{{u"format"_s, u"palmer test report"_s},
+                               {u"version"_s, 1},
+                               {u"report"_s, file["report"_L1].toObject()},
+                               {u"tests"_s, tests}};
     set.documents[""] = std::make_shared<const Document>(
         readUnbounded(QJsonDocument(document).toJson(QJsonDocument::Compact)));
     addVariants(set, file["variants"_L1].toObject());

@@ -31,10 +31,12 @@ enum class Expected {
     drift,          ///< range of a drift test; change or t of the runs of an axis
     correction,     ///< C to 20 °C of a circular test
     influence,      ///< a source of a diagnosis, in the unit shown
+    comparison,     ///< of two tests, `of`: difference, U, word; `test` is the one after, the test before it its pair
     compensation,   ///< value of a table at its point `target`, by direction
     trend,          ///< a number of a line, "statement" or "notBefore"
     contouringFeed, ///< for another diameter
     circle, ///< of points: lsc_cx, lsc_cy, lsc_R, lsc_width; mzc_cx, mzc_cy, mzc_Ro, mzc_Ri, mzc_width
+    sheet,  ///< the state of a row of the acceptance sheet, by its number
 };
 
 /// A value that the evaluation of a reference set must give.

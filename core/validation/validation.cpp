@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/validation.h"
 
+#include "document/comparedtests.h"
 #include "document/diagnosedtest.h"
 #include "document/evaluateddocument.h"
 #include "document/filewords.h"
@@ -103,6 +104,31 @@ Found influenceOf(const Evaluated &e) {
     return source && source->value ? Found{shownParameter(kind->id, *source->value)} : Found{};
 }
 
+/// The pair of a test is the one before it in the set; simulated once for all its rows.
+const TestComparison &comparisonWithTheTestBefore(const EvaluatedDocument &evaluated, std::size_t test) {
+    thread_local TestEvaluationPointer of;
+    thread_local TestComparison kept;
+    if (of != evaluated.tests[test]) {
+        kept = compare({&evaluated, test - 1}, {&evaluated, test});
+        of = evaluated.tests[test];
+    }
+    return kept;
+}
+
+Found comparisonFound(const Evaluated &e) {
+    if (e.expected.test == 0)
+        return {};
+    const TestComparison &comparison = comparisonWithTheTestBefore(e.document, e.expected.test);
+    const auto parameter =
+        std::ranges::find(comparison.parameters, e.expected.id,
+                          [](const ComparedParameter &p) { return std::string(p.term.id); });
+    if (parameter == comparison.parameters.end())
+        return {};
+    if (e.expected.of == "word")
+        return {{}, parameter->word ? fileWord(*parameter->word) : ""};
+    return e.expected.of == "U" ? Found{parameter->uncertainty} : Found{parameter->difference};
+}
+
 Found compensationOf(const Evaluated &e) {
     const CompensationTable table = compensationTable(*e.document.document->tests[e.expected.test], *e.test,
                                                       e.expected.format, e.expected.table);
@@ -165,9 +191,17 @@ Found circleOf(const Evaluated &e) {
                                                                      {"mzc_width", zone.width}});
 }
 
-/// By kind of expectation; the last three need no test.
-constexpr std::array ways{parameterOf, statisticOf,    contributionOf, driftOf, correctionOf,
-                          influenceOf, compensationOf, trendOf,        feedOf,  circleOf};
+Found sheetFound(const Evaluated &e) {
+    const std::vector<SheetRow> &rows = e.document.document->report.sheet;
+    const auto row = std::ranges::find(rows, e.expected.id, &SheetRow::number);
+    if (row == rows.end())
+        return {};
+    return {{}, fileWord(e.document.sheet()[static_cast<std::size_t>(row - rows.begin())].state)};
+}
+
+/// By kind of expectation; the last four need no test.
+constexpr std::array ways{parameterOf,     statisticOf,    contributionOf, driftOf, correctionOf, influenceOf,
+                          comparisonFound, compensationOf, trendOf,        feedOf,  circleOf,     sheetFound};
 
 /// With an unknown edition the test's own would be used: make no comparison.
 const TestEvaluation *testOf(const Expectation &expected, const EvaluatedDocument &evaluated) {

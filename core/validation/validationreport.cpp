@@ -41,9 +41,10 @@ Text methodText(const Expectation &expected) {
                         REPORT_TEXT("report", "Contributions to the budget"),
                         REPORT_TEXT("report", "E_VE, progression of the runs"),
                         REPORT_TEXT("report", "Correction C to 20 °C"), REPORT_TEXT("report", "Diagnosis"),
+                        REPORT_TEXT("report", "Comparison of two tests"),
                         REPORT_TEXT("report", "Compensation"), REPORT_TEXT("report", "Trend"),
-                        REPORT_TEXT("report", "Contouring feed"),
-                        REPORT_TEXT("report", "Reference circles")});
+                        REPORT_TEXT("report", "Contouring feed"), REPORT_TEXT("report", "Reference circles"),
+                        REPORT_TEXT("report", "Acceptance sheet")});
     struct Row {
         std::string_view of;
         Text text;

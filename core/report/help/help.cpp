@@ -261,6 +261,31 @@ HelpPage sheetPage(const Language &language) {
     return pageOf("sheet", REPORT_TEXT("report", "Acceptance sheet"), steps, language);
 }
 
+HelpPage comparisonPage(const Language &language) {
+    const auto steps = std::to_array<HelpStep>({
+        {REPORT_TEXT("report", "Two tests"),
+         REPORT_TEXT(
+             "report",
+             "As found and as left, before and after, two machines, two laboratories: two tests of one axis "
+             "or plane are compared at their common targets, with as many cycles as both have. Everything "
+             "else that differs is listed above the result. It is an interpretation, no result of the "
+             "standard.")},
+        {REPORT_TEXT("report", "U of the difference"),
+         REPORT_TEXT(
+             "report",
+             "One simulation of both tests draws whole cycles anew and the errors of the budget, those that "
+             "both share (the same instrument, α of the machine, the sensors) once for both. The U of each "
+             "test would say too much of what is shared, and nothing of other cycles.")},
+        {REPORT_TEXT("report", "Words"),
+         REPORT_TEXT(
+             "report",
+             "“Changed” where the difference exceeds its U, between these two sessions; else “no change "
+             "proven”. With an agreed tolerance: unchanged within it, changed by more, or not proven. "
+             "Laboratories are judged by E_n.")},
+    });
+    return pageOf("comparison", REPORT_TEXT("report", "Comparison of two tests"), steps, language);
+}
+
 HelpPage fieldsPage(const Language &language) {
     HelpPage page{QStringLiteral("fields"), language.text(REPORT_TEXT("report", "Fields")), {}};
     auto &blocks = page.content.blocks;
@@ -282,7 +307,7 @@ HelpPage fieldsPage(const Language &language) {
 
 std::vector<HelpPage> composeHelp(const Language &language) {
     std::vector<HelpPage> pages{workflowPage(language), registerPage(language), sheetPage(language),
-                                fieldsPage(language)};
+                                comparisonPage(language), fieldsPage(language)};
     for (const Edition *edition : editions())
         pages.push_back(edition->circles ? circularPage(*edition, language)
                                          : positioningPage(*edition, language));

@@ -5,6 +5,7 @@
 seeds; all results are computed in this folder from the formulas of the standards, with NumPy and mpmath, and share no
 line with the program. --trials: of the simulations, 10⁶ for the sets that are kept, fewer to try the rest quickly."""
 import argparse
+import copy
 import math
 import os
 import random
@@ -15,6 +16,7 @@ import mpmath
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import comparison
 import jcgm101
 import trend
 from circular import Circle, Path
@@ -552,6 +554,74 @@ def compensations():
             "tests": tests, "expected": rows}
 
 
+# --- comparison of two tests ---------------------------------------------------------------------------------------
+
+# runs of each test, change of the slope in µm over the travel, edition
+PAIRS = [
+    (5, 5, 0, "ISO 230-2:2006"), (5, 3, 9, "ISO 230-2:2014"), (2, 2, -6, "ISO 230-2:2006"), (5, 5, -12, "ISO 230-2:1997"),
+]
+
+
+def comparisons(trials):
+    tests, rows = [], []
+    for number, (n_before, n_after, change, edition) in enumerate(PAIRS, 1):
+        dice = random.Random(6000 + number)
+        before = made_axis(300 + number, (edition, 0, 600, 7, n_before, n_before, {}))
+        after = copy.deepcopy(before)
+        before["id"], after["id"] = f"a{number}", f"b{number}"
+        after["runs"] = [{"approach": run["approach"], "deviations": [
+            reading(x + change / 1000 * i / 6 + dice.gauss(0, 0.0006)) for i, x in enumerate(run["deviations"])]}
+            for run in after["runs"][:2 * n_after]]
+        tests += [before, after]
+        for name, (was, now, difference, u) in comparison.compared(before, after, trials, 7000 + number).items():
+            place = {"test": len(tests), "comparison": name}
+            rows.append(expected(difference, **place, of="difference"))
+            rows.append(expected(u, 7, 0.015 * u + 1e-9, **place, of="U"))
+            if abs(abs(difference) - u) > 0.03 * u:  # elsewhere chance decides
+                rows.append(word(comparison.word(name, was, now, u), **place, of="word"))
+    return {**named("Comparison of two tests", "Comparaison de deux essais", SIMULATIONS), "quantity": "deviation",
+            "tests": tests, "expected": rows}
+
+
+# --- acceptance sheet ----------------------------------------------------------------------------------------------
+
+def sheet():
+    """Rows of every kind under every rule; numbers as decimals, compared as exact fractions."""
+    dice = random.Random(8001)
+    rows, made = [], []
+    for number in range(1, 25):
+        low = fraction(f"{dice.uniform(-0.02, -0.01):.3f}") if number % 3 == 0 else None
+        high = fraction(f"{dice.uniform(0.01, 0.03):.3f}")
+        u = fraction(f"{dice.uniform(0.001, 0.004):.4f}")
+        value = high + (-2 * u, -u, -u / 2, 0, u / 2, u, 2 * u)[number % 7]
+        if low is not None and number % 2:
+            value = low - (-2 * u, -u, 0, u, 2 * u)[number % 5]
+        elif number % 4 == 1:
+            value = -value
+        text = lambda x: Number(f"{float(x):.6f}".rstrip("0"))
+        row = {"number": f"G{number}", "permitted": text(high) if low is None else [text(low), text(high)],
+               "uncertainty": text(u), "unit": "mm"}
+        if number % 8:
+            row["measured"] = text(value)
+        if number % 11 == 0:
+            row["notApplicable"] = "has none"
+        made.append(row)
+        for variant, rule in (("", SIMPLE), ("proven", PROVEN), ("rejection", REJECTION)):
+            if number % 11 == 0:
+                state = "notApplicable"
+            elif number % 8 == 0:
+                state = "notMeasured"
+            elif low is None:
+                state = verdict(abs(value), high, rule, u)
+            else:
+                order = ("conforms", "notProven", "doesNotConform")
+                state = max(verdict(value, high, rule, u), verdict(-value, -low, rule, u), key=order.index)
+            rows.append(word(state, sheet=f"G{number}", **({"variant": variant} if variant else {})))
+    variants = {name: {"report.decisionRule.rule": rule} for name, rule in (("proven", PROVEN), ("rejection", REJECTION))}
+    return {**named("Acceptance sheet", "Fiche de réception"), "report": {"sheet": made}, "variants": variants,
+            "expected": rows}
+
+
 def tie(value):
     """Whether rounding to 0.1 µm is a matter of the last bit."""
     scaled = abs(mp(value)) * 10000
@@ -561,7 +631,8 @@ def tie(value):
 def sets(trials):
     return {"linear-axes": lambda: axes(trials, False), "rotary-axes": lambda: axes(trials, True),
             "circles": lambda: circles(trials), "diagnoses": diagnoses, "trends": trends, "drift-tests": drift_tests,
-            "compensation": compensations}
+            "compensation": compensations, "comparisons": lambda: comparisons(trials),
+            "sheet": sheet}
 
 
 def main():

@@ -102,7 +102,7 @@ void ValidationTest::hasTheSetsOfTheSecondImplementation() {
     std::size_t values = 0;
     std::set<std::string> editions;
     std::set<std::string> of;
-    QCOMPARE(allReferenceFiles().size(), quickReferenceFiles().size() + 7);
+    QCOMPARE(allReferenceFiles().size(), quickReferenceFiles().size() + 9);
     for (const QString &name : allReferenceFiles().mid(quickReferenceFiles().size())) {
         const ReferenceSet set = embedded(QString(name).remove(":/reference/").remove(".json"));
         values += set.expected.size();
@@ -119,6 +119,7 @@ void ValidationTest::hasTheSetsOfTheSecondImplementation() {
     QCOMPARE(tests["diagnoses.json"], std::size_t(10));
     QCOMPARE(tests["drift-tests.json"], std::size_t(2 * 5)); // each with an axis that uses it
     QCOMPARE(tests["compensation.json"], std::size_t(5));
+    QCOMPARE(tests["comparisons.json"], std::size_t(2 * 4));
     for (const char *edition : {"ISO 230-2:1988", "ISO 230-2:1997", "ISO 230-2:2006", "ISO 230-2:2014",
                                 "VDI/DGQ 3441:1977", "ISO 230-4:1996", "ISO 230-4:2005", "ISO 230-4:2022"})
         QVERIFY2(editions.contains(edition), edition);

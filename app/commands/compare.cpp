@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/commands.h"
+
+#include "commandline/inputs.h"
+#include "commandline/optionvalues.h"
+#include "commandline/streams.h"
+#include "commandline/terminal.h"
+#include "document/comparedtests.h"
+#include "export/comparisonjson.h"
+#include "kernel/measurement/testfacts.h"
+#include "report/blocks/plaintext.h"
+#include "report/comparedtests.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+constexpr auto compareOptions = optionList(
+    Option{
+        "test", "N[,M]",
+        REPORT_TEXT("report",
+                    "which test of A, and of B, from 1; without it the first of A that has its like in B")},
+    Option{
+        "laboratories", "",
+        REPORT_TEXT("report", "two laboratories measured one machine: E_n, only α of the machine is shared")},
+    Option{
+        "tolerance", "VALUE",
+        REPORT_TEXT("report", "agreed tolerance of a change, µm (rotary: arc seconds): unchanged within it")},
+    Option{"set-up-untouched", "",
+           REPORT_TEXT("report", "the instrument stood as it had been aligned: the misalignment is shared")},
+    Option{"json", "", REPORT_TEXT("report", "the comparison as JSON")});
+
+std::optional<EvaluatedDocument> evaluatedFrom(const QString &file, const Invocation &invocation) {
+    std::optional<Document> document = documentFrom(file, invocation);
+    if (!document)
+        return std::nullopt;
+    return evaluate(std::make_shared<const Document>(std::move(*document)));
+}
+
+[[noreturn]] void refuseTests(const QString &given) {
+    refuse("test", given, "1 or 1,2");
+}
+
+/// The tests to be compared, by index. Throws UsageError.
+std::pair<std::size_t, std::size_t> pairOf(const Invocation &invocation, const EvaluatedDocument &a,
+                                           const EvaluatedDocument &b) {
+    if (const auto asked = invocation.value("test")) {
+        const QStringList numbers = asked->split(u',');
+        const auto first = wholeGiven(numbers.first());
+        const auto second = wholeGiven(numbers.last());
+        const auto isIn = [](std::optional<long long> number, const EvaluatedDocument &document) {
+            return number && *number >= 1 && *number <= static_cast<long long>(document.tests.size());
+        };
+        if (numbers.size() > 2 || !isIn(first, a) || !isIn(second, b))
+            refuseTests(*asked);
+        return {static_cast<std::size_t>(*first) - 1, static_cast<std::size_t>(*second) - 1};
+    }
+    for (std::size_t i = 0; i < a.tests.size(); ++i) {
+        if (!isJudged(*a.document->tests[i]))
+            continue;
+        if (const auto j = counterpart({&a, i}, b))
+            return {i, *j};
+    }
+    throw UsageError(
+        {REPORT_TEXT("report",
+                     "no test of the first file has its like in the second: same axis or plane, directions "
+                     "and radius; --test names two"),
+         {}});
+}
+
+bool isDifference(const ComparedParameter &parameter) {
+    return parameter.word == ChangeWord::changed || parameter.word == ChangeWord::better ||
+           parameter.word == ChangeWord::worse || parameter.word == ChangeWord::changedByMore ||
+           parameter.word == ChangeWord::disagree;
+}
+
+int runCompare(const Invocation &invocation) {
+    if (invocation.arguments.size() != 2)
+        throw UsageError({REPORT_TEXT("report", "the command %1 takes two files"), {std::string("compare")}});
+    const QString &fileA = invocation.arguments.front();
+    const QString &fileB = invocation.arguments.back();
+    std::optional<EvaluatedDocument> a;
+    std::optional<EvaluatedDocument> b;
+    for (const auto &[file, place] : {std::pair{&fileA, &a}, std::pair{&fileB, &b}}) {
+        const int code = codeOf(*file, invocation.language, [&, file = file, place = place]() -> int {
+            *place = evaluatedFrom(*file, invocation);
+            return *place ? done : cannotRead;
+        });
+        if (code != done)
+            return code;
+    }
+    const auto [i, j] = pairOf(invocation, *a, *b);
+    const PlacedTest before{&*a, i};
+    const PlacedTest after{&*b, j};
+    ComparisonOptions options;
+    if (invocation.has("laboratories"))
+        options.role = ComparisonRole::laboratories;
+    options.setUpUntouched = invocation.has("set-up-untouched");
+    if (const auto given = invocation.value("tolerance"))
+        options.tolerance = numberBetween("tolerance", *given, 0, 1e6) /
+                            unitScale(deviationQuantity(after.test()), DisplayUnits());
+    const TestComparison comparison = compare(before, after, options);
+    if (invocation.has("json"))
+        printOut(comparisonJson(comparison, before, fileA, after, fileB, options.tolerance,
+                                namesLanguage(invocation), JsonForm::pretty));
+    else
+        printOut(
+            plainText(composeComparison(comparison, before, after, invocation.language, options.tolerance),
+                      textColumns()));
+    return comparison.refusal || std::ranges::any_of(comparison.parameters, isDifference) ? difference : done;
+}
+
+} // namespace
+
+Command compareCommand() {
+    return {
+        "compare", "A B",
+        REPORT_TEXT("report", "what has changed from test A to test B: differences with their uncertainty"),
+        compareOptions, runCompare};
+}
+
+} // namespace palmer

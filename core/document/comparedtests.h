@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "document/filewords.h"
+#include "kernel/comparison/comparetests.h"
+
+#include <optional>
+
+namespace palmer {
+
+/// A test of an evaluated document.
+struct PlacedTest {
+    const EvaluatedDocument *evaluated = nullptr;
+    std::size_t index = 0;
+
+    [[nodiscard]] const Test &test() const { return *evaluated->document->tests[index]; }
+    [[nodiscard]] const TestEvaluation &evaluation() const { return *evaluated->tests[index]; }
+};
+
+/// What the evaluation of a test depends on beside it.
+[[nodiscard]] Surroundings surroundingsOf(const Document &document, std::size_t test);
+
+/// Compares two tests, of one document or of two.
+[[nodiscard]] TestComparison compare(const PlacedTest &before, const PlacedTest &after,
+                                     const ComparisonOptions &options = {});
+
+/// Returns the first judged test of `others` that is comparable with this one: same kind, axis or plane,
+/// directions and radius. Null: none.
+[[nodiscard]] std::optional<std::size_t> counterpart(const PlacedTest &test, const EvaluatedDocument &others);
+
+// Words of a comparison, in files for scripts.
+
+template <>
+inline constexpr auto fileWords<NotComparable> = wordsInOrder<NotComparable>("otherKind", "otherAxis",
+                                                                             "otherDirections", "otherRadius",
+                                                                             "noEdition", "sharedInstrument");
+template <>
+inline constexpr auto fileWords<NoWord> = wordsInOrder<NoWord>("fewTargets", "oneRun", "noRepeatability",
+                                                               "noUncertainty");
+template <>
+inline constexpr auto fileWords<ChangeWord> = wordsInOrder<ChangeWord>("noChangeProven", "changed", "better",
+                                                                       "worse", "unchangedWithin",
+                                                                       "changedByMore", "notProven", "agree",
+                                                                       "disagree");
+template <>
+inline constexpr auto
+    fileWords<SharedError> = wordsInOrder<SharedError>("device", "machineTemperature", "machineExpansion",
+                                                       "instrumentTemperature", "instrumentExpansion",
+                                                       "misalignment");
+
+} // namespace palmer

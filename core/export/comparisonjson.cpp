@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/comparisonjson.h"
+
+#include "document/json.h"
+#include "document/resultwords.h"
+#include "kernel/measurement/testfacts.h"
+#include "report/comparedtests.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int comparisonVersion = 1;
+
+Json number(std::optional<double> value) {
+    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+template <class Enumeration>
+Json wordOrNull(std::optional<Enumeration> value) {
+    return value ? Json(fileWord(*value)) : Json(nullptr);
+}
+
+Json sideOf(const PlacedTest &placed, const QString &file) {
+    const Test &test = placed.test();
+    return {{"file", file.toStdString()},
+            {"test", placed.index + 1},
+            {"id", test.id},
+            {"title", test.title},
+            {"date", test.date ? Json(*test.date) : Json(nullptr)},
+            {"edition", test.edition},
+            {"role", fileWord(test.role)}};
+}
+
+Json listOf(const std::vector<std::optional<double>> &values) {
+    Json list = Json::array();
+    for (const std::optional<double> &value : values)
+        list.push_back(number(value));
+    return list;
+}
+
+} // namespace
+
+QByteArray comparisonJson(const TestComparison &comparison, const PlacedTest &before,
+                          const QString &fileBefore, const PlacedTest &after, const QString &fileAfter,
+                          std::optional<double> tolerance, const Language &language, JsonForm form) {
+    Json parameters = Json::array();
+    for (const ComparedParameter &p : comparison.parameters)
+        parameters.push_back({{"id", p.index.empty() ? std::string(p.term.id) : p.term.id + ("_" + p.index)},
+                              {"name", language.text(p.term.name).toStdString()},
+                              {"before", p.before},
+                              {"after", p.after},
+                              {"difference", p.difference},
+                              {"expandedUncertainty", number(p.uncertainty)},
+                              {"errorsAlone", number(p.errorsAlone)},
+                              {"repeatabilityAlone", number(p.repeatabilityAlone)},
+                              {"shift", number(p.shift)},
+                              {"En", number(p.enRatio)},
+                              {"word", wordOrNull(p.word)}});
+    Json curves = Json::array();
+    for (const ComparedCurve &curve : comparison.curves)
+        curves.push_back({{"approach", wordOrNull(curve.direction)},
+                          {"difference", listOf(curve.values)},
+                          {"band", listOf(curve.band)}});
+    Json conditions = Json::array();
+    for (const DifferingCondition &row : differingConditions(before, after, language))
+        conditions.push_back(
+            {{"name", row.name.toStdString()},
+             {"before", row.before.isEmpty() ? Json(nullptr) : Json(row.before.toStdString())},
+             {"after", row.after.isEmpty() ? Json(nullptr) : Json(row.after.toStdString())}});
+    Json shared = Json::array();
+    for (const SharedError error : comparison.shared)
+        shared.push_back(fileWord(error));
+    const Axis *axis = axisOf(after.test());
+    const Json file{{"format", "palmer comparison"},
+                    {"version", comparisonVersion},
+                    {"program", "Palmer " PALMER_VERSION},
+                    {"before", sideOf(before, fileBefore)},
+                    {"after", sideOf(after, fileAfter)},
+                    {"axis", axis ? Json(axesOf(after.test())) : Json(nullptr)},
+                    {"plane", axis ? Json(nullptr) : Json(axesOf(after.test()))},
+                    {"edition", comparison.edition ? Json(comparison.edition->word) : Json(nullptr)},
+                    {"unit", resultUnit(comparison.quantity)},
+                    {"refusal", wordOrNull(comparison.refusal)},
+                    {"noWord", wordOrNull(comparison.noWord)},
+                    {"tolerance", number(tolerance)},
+                    {"commonTargets", comparison.commonTargets},
+                    {"cycles", comparison.cycles},
+                    {"simulated", comparison.simulated},
+                    {"trials", comparison.trials},
+                    {"pooled", comparison.pooled},
+                    {"shared", std::move(shared)},
+                    {"parameters", std::move(parameters)},
+                    {"targets", comparison.targets},
+                    {"interpolated", comparison.interpolated},
+                    {"curves", std::move(curves)},
+                    {"conditions", std::move(conditions)}};
+    return QByteArray::fromStdString(form == JsonForm::pretty ? printJson(file) : compactJson(file) + '\n');
+}
+
+} // namespace palmer

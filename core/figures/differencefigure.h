@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "figures/figure.h"
+#include "kernel/comparison/comparetests.h"
+#include "language/language.h"
+
+namespace palmer {
+
+/// The differences of the mean deviations of two tests over the targets, ↑, ↓ and of both, with the band of
+/// the latter. Without curves if the comparison has none.
+[[nodiscard]] CurveFigure differenceFigure(const TestComparison &comparison, const Language &language);
+
+} // namespace palmer

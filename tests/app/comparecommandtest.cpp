@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "app/runcli.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using palmer::testdata::runCli;
+
+namespace {
+
+const QString both = EXAMPLES "x-axis-as-found-as-left.palmer";
+
+QJsonObject jsonOf(QStringList words) {
+    return QJsonDocument::fromJson(runCli(QStringList{"compare", both, both, "--json"} + words).out).object();
+}
+
+QJsonObject parameter(const QJsonObject &comparison, const char *id) {
+    for (const QJsonValue &value : comparison["parameters"].toArray()) {
+        if (value["id"] == QLatin1StringView(id))
+            return value.toObject();
+    }
+    return {};
+}
+
+} // namespace
+
+class CompareCommandTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void saysWhatHasChanged();
+    void printsItInBothLanguages();
+    void itsJsonIsThatOfItsSchema();
+    void findsTheLikeInTheOtherFile();
+    void refusesWhatCannotBeMeant();
+};
+
+void CompareCommandTest::saysWhatHasChanged() {
+    const QJsonObject comparison = jsonOf({"--test", "1,2"});
+    QCOMPARE(comparison["cycles"].toInt(), 5);
+    QCOMPARE(comparison["commonTargets"].toInt(), 11);
+    QVERIFY(comparison["simulated"].toBool() && comparison["refusal"].isNull());
+    QCOMPARE(comparison["shared"].toArray().size(), 5); // all but the misalignment
+    QCOMPARE(parameter(comparison, "E")["word"].toString(), "better");
+    QCOMPARE(runCli({"compare", both, both, "--test", "1,2"}).code, 1);
+    QCOMPARE(runCli({"compare", both, both, "--test", "1"}).code, 0); // with itself
+    const QJsonObject laboratories = jsonOf({"--test", "1,2", "--laboratories"});
+    QCOMPARE(laboratories["refusal"].toString(), "sharedInstrument");
+    const QJsonObject agreed = jsonOf({"--test", "1", "--tolerance", "20"});
+    QCOMPARE(agreed["tolerance"].toDouble(), 0.02);
+    QCOMPARE(parameter(agreed, "B")["word"].toString(), "unchangedWithin");
+}
+
+void CompareCommandTest::printsItInBothLanguages() {
+    const QByteArray english = runCli({"compare", both, both, "--test", "1,2", "--language", "en"}).out;
+    for (const char *words : {"Comparison of two tests", "Differences of the conditions", "changed, better",
+                              "table of 3 February 2025", "Shared by both tests: α of the machine, the instrument"})
+        QVERIFY2(english.contains(words), words);
+    const QByteArray french = runCli({"compare", both, both, "--test", "1,2", "--language", "fr"}).out;
+    for (const char *words : {"Comparaison de deux essais", "Conditions qui diffèrent"})
+        QVERIFY2(french.contains(words), words);
+}
+
+void CompareCommandTest::itsJsonIsThatOfItsSchema() {
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("c.jsonl"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    int lines = 0;
+    for (const QStringList &words :
+         {QStringList{"--test", "1,2"}, {"--test", "1"}, {"--test", "1,2", "--laboratories"}}) {
+        QJsonObject comparison = jsonOf(words);
+        file.write(QJsonDocument(comparison).toJson(QJsonDocument::Compact) + '\n');
+        ++lines;
+        comparison["unknown"] = 1; // of a later version: no reader breaks
+        if (lines == 3)
+            file.write(QJsonDocument(comparison).toJson(QJsonDocument::Compact) + '\n');
+    }
+    file.close();
+    QProcess validator;
+    validator.start("/usr/bin/python3",
+                    {QStringLiteral(SOURCE "/tests/core/document/validate.py"),
+                     QStringLiteral(SOURCE "/resources/schema/palmer-comparison-1.schema.json"),
+                     file.fileName()});
+    QVERIFY(validator.waitForFinished(60'000));
+    QCOMPARE(validator.readAllStandardOutput().simplified(), QByteArray("1 1 1 1"));
+}
+
+void CompareCommandTest::findsTheLikeInTheOtherFile() {
+    const QString other = EXAMPLES "iso230-2-1988-example.palmer"; // X, both directions, other instruments
+    const QJsonObject comparison =
+        QJsonDocument::fromJson(runCli({"compare", other, both, "--json"}).out).object();
+    QCOMPARE(comparison["before"]["edition"].toString(), "ISO 230-2:1988");
+    QCOMPARE(comparison["edition"].toString(), "ISO 230-2:2006"); // that of the second
+    QCOMPARE(comparison["noWord"].toString(), "noUncertainty");
+}
+
+void CompareCommandTest::refusesWhatCannotBeMeant() {
+    QCOMPARE(runCli({"compare", both}).code, 2);
+    QCOMPARE(runCli({"compare", both, both, both}).code, 2);
+    QCOMPARE(runCli({"compare", both, both, "--test", "1,3"}).code, 2);
+    QCOMPARE(runCli({"compare", both, both, "--test", "x"}).code, 2);
+    QCOMPARE(runCli({"compare", both, both, "--test", "1,2", "--tolerance", "-1"}).code, 2);
+    QCOMPARE(runCli({"compare", both, "/nowhere.palmer"}).code, 3);
+    QCOMPARE(runCli({"compare", both, EXAMPLES "rotary-axis.palmer"}).code, 2); // no X axis
+}
+
+QTEST_GUILESS_MAIN(CompareCommandTest)
+#include "comparecommandtest.moc"
