@@ -29,7 +29,6 @@ constexpr std::array rows{
     Row{"machine-acceptance-sheet", QT_TRANSLATE_NOOP("examples", "Acceptance sheet"), "2006", false},
     Row{"one-direction", QT_TRANSLATE_NOOP("examples", "Z axis, from one direction"), "2006", false},
     Row{"rotary-axis", QT_TRANSLATE_NOOP("examples", "Rotary table C, 360°"), "2014", false},
-    Row{"x-axis-as-found-as-left", QT_TRANSLATE_NOOP("examples", "As found and as left"), "2006", false},
     Row{"teaching-01-centre", QT_TRANSLATE_NOOP("examples", "Centre off"), "2005", true},
     Row{"teaching-02-radius", QT_TRANSLATE_NOOP("examples", "Radius, mean scale"), "2005", true},
     Row{"teaching-03-scale-mismatch", QT_TRANSLATE_NOOP("examples", "Scale mismatch"), "2005", true},
@@ -43,6 +42,7 @@ constexpr std::array rows{
     Row{"teaching-11-common-lag", QT_TRANSLATE_NOOP("examples", "Common lag, three feeds"), "2005", true},
     Row{"teaching-12-drift", QT_TRANSLATE_NOOP("examples", "Drift of the radius"), "2005", true},
     Row{"teaching-13-vibration", QT_TRANSLATE_NOOP("examples", "Vibration in the rest"), "2005", true},
+    Row{"x-axis-as-found-as-left", QT_TRANSLATE_NOOP("examples", "As found and as left"), "2006", false},
 };
 
 // Content of an example by kind of test.

@@ -17,7 +17,7 @@ SIMULATED = {"mean", "u", "low", "high", "expandedUncertainty"}
 
 
 def is_simulated(row):
-    return row.get("variant") == "simulated" and row.get("of") in SIMULATED
+    return row.get("variant") == "simulated" and row.get("of") in SIMULATED or "comparison" in row and row["of"] == "U"
 
 
 def place(row):
