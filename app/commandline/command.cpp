@@ -216,10 +216,10 @@ std::span<const Option> commonOptions() {
 }
 
 std::span<const Command> commands() {
-    static const std::array table{evaluateCommand(), checkCommand(),   reportCommand(),     verifyCommand(),
-                                  figureCommand(),   explainCommand(), compareCommand(), importCommand(),     exportCommand(),
-                                  targetsCommand(),  feedCommand(),    synthesizeCommand(), registerCommand(),
-                                  schemaCommand(),   selftestCommand()};
+    static const std::array table{evaluateCommand(), checkCommand(),   reportCommand(),  verifyCommand(),
+                                  figureCommand(),   explainCommand(), compareCommand(), importCommand(),
+                                  exportCommand(),   targetsCommand(), feedCommand(),    synthesizeCommand(),
+                                  registerCommand(), schemaCommand(),  selftestCommand()};
     return table;
 }
 

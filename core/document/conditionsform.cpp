@@ -52,8 +52,8 @@ bool polygon(const Test &test) {
 }
 bool rangeMethod(const Test &test) {
     const Edition *edition = findEdition(test.edition);
-    return ofAxis(test) && ((edition && edition->rangeMethod) ||
-                            axisTest(test)->standardDeviation == DeviationMethod::range);
+    return ofAxis(test) &&
+           ((edition && edition->rangeMethod) || axisTest(test)->standardDeviation == DeviationMethod::range);
 }
 bool rotary(const Test &test) {
     return ofAxis(test) && motionOf(test) == Motion::rotary;
@@ -137,8 +137,9 @@ const std::array rows{
 bool isOffered(const FormRow &row, const Test &test, std::span<const std::string_view> conditions) {
     if (row.offered)
         return row.offered(test);
-    constexpr std::array ofAnyTest{"title", "purpose", "role", "date", "time", "instruments",
-                                   "allApply", "declaredAccordance", "remarks"};
+    constexpr std::array ofAnyTest{"title",  "purpose",     "role",     "date",
+                                   "time",   "instruments", "allApply", "declaredAccordance",
+                                   "remarks"};
     return std::ranges::find(ofAnyTest, row.cell.key) != ofAnyTest.end() ||
            std::ranges::find(conditions, row.cell.key) != conditions.end();
 }

@@ -25,13 +25,14 @@ enum class ExpectationSource { published, recomputed, exact, certified, second }
 
 /// Kind of expected value, by its key in the file, whose value is its id: "A", "mean+", "device", "range", …
 enum class Expected {
-    parameter,      ///< `of`: value, budget, budgetActual, expandedUncertainty, mean, u, low, high, verdict
-    statistic,      ///< of a target
-    contribution,   ///< to a budget, k = 2
-    drift,          ///< range of a drift test; change or t of the runs of an axis
-    correction,     ///< C to 20 °C of a circular test
-    influence,      ///< a source of a diagnosis, in the unit shown
-    comparison,     ///< of two tests, `of`: difference, U, word; `test` is the one after, the test before it its pair
+    parameter,    ///< `of`: value, budget, budgetActual, expandedUncertainty, mean, u, low, high, verdict
+    statistic,    ///< of a target
+    contribution, ///< to a budget, k = 2
+    drift,        ///< range of a drift test; change or t of the runs of an axis
+    correction,   ///< C to 20 °C of a circular test
+    influence,    ///< a source of a diagnosis, in the unit shown
+    comparison, ///< of two tests, `of`: difference, U, word; `test` is the one after, the test before it its
+                ///< pair
     compensation,   ///< value of a table at its point `target`, by direction
     trend,          ///< a number of a line, "statement" or "notBefore"
     contouringFeed, ///< for another diameter

@@ -61,8 +61,9 @@ void CompareCommandTest::saysWhatHasChanged() {
 
 void CompareCommandTest::printsItInBothLanguages() {
     const QByteArray english = runCli({"compare", both, both, "--test", "1,2", "--language", "en"}).out;
-    for (const char *words : {"Comparison of two tests", "Differences of the conditions", "changed, better",
-                              "table of 3 February 2025", "Shared by both tests: α of the machine, the instrument"})
+    for (const char *words :
+         {"Comparison of two tests", "Differences of the conditions", "changed, better",
+          "table of 3 February 2025", "Shared by both tests: α of the machine, the instrument"})
         QVERIFY2(english.contains(words), words);
     const QByteArray french = runCli({"compare", both, both, "--test", "1,2", "--language", "fr"}).out;
     for (const char *words : {"Comparaison de deux essais", "Conditions qui diffèrent"})

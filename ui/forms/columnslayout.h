@@ -20,7 +20,9 @@ public:
     void add(QWidget *widget, int span, Qt::Alignment alignment = {});
 
     /// Number of columns in use.
-    [[nodiscard]] int taken() const { return m_cells.empty() ? 0 : m_cells.back().column + m_cells.back().span; }
+    [[nodiscard]] int taken() const {
+        return m_cells.empty() ? 0 : m_cells.back().column + m_cells.back().span;
+    }
 
     [[nodiscard]] int count() const override { return static_cast<int>(m_cells.size()); }
     [[nodiscard]] QLayoutItem *itemAt(int index) const override;

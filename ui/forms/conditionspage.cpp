@@ -9,8 +9,8 @@
 #include "document/statedthings.h"
 #include "language/decimals.h"
 #include "report/words/correctiontext.h"
-#include "ui/forms/templatebutton.h"
 #include "ui/elidedlabel.h"
+#include "ui/forms/templatebutton.h"
 #include "ui/madewidgets.h"
 #include "ui/theme.h"
 
@@ -157,8 +157,8 @@ ConditionsPage::ConditionsPage(DocumentModel &model, Selection &selection, QWidg
     refresh();
 }
 
-/// Groups in which the edition misses something come first, as they were when the page came into view or shows
-/// another test: nothing moves while the user works.
+/// Groups in which the edition misses something come first, as they were when the page came into view or
+/// shows another test: nothing moves while the user works.
 void ConditionsPage::order(std::vector<FormGroup> &groups) {
     const Test &shown = *shownTest();
     const TestEvaluation &evaluation = *evaluated().tests[test()];
@@ -336,10 +336,10 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal, bool fi
         addWidget(m_expansion = made<QLabel>(trait::secondary, body()), 3);
     else
         addNumber({"expansion", QT_TR_NOOP("Expansion α")}, Quantity::expansion,
-                       what == SensorMeasures::machine
-                           ? commonPart<&Conditions::expansion, &Expansion::machine>()
-                           : commonPart<&Conditions::expansion, &Expansion::instrument>(),
-                       3, Allowed::coefficient)
+                  what == SensorMeasures::machine
+                      ? commonPart<&Conditions::expansion, &Expansion::machine>()
+                      : commonPart<&Conditions::expansion, &Expansion::instrument>(),
+                  3, Allowed::coefficient)
             ->hideLabel();
     head(addText({"sensors", QT_TR_NOOP("Sensor position")}, ofSensor<&Sensor::position>(what, ordinal), 3));
 }

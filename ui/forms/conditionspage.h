@@ -51,9 +51,9 @@ private:
     bool m_isOrderDue = true;      ///< the page came into view
     std::vector<QCheckBox *> m_instruments;
     std::vector<SensorName> m_sensorNames;
-    std::map<std::string, Field *> m_clauses;        ///< declarations by key, each with its clause
-    ElidedLabel *m_correction = nullptr;             ///< size of the correction to 20 °C
-    Field *m_start = nullptr;                        ///< heads of the columns of temperatures
+    std::map<std::string, Field *> m_clauses; ///< declarations by key, each with its clause
+    ElidedLabel *m_correction = nullptr;      ///< size of the correction to 20 °C
+    Field *m_start = nullptr;                 ///< heads of the columns of temperatures
     Field *m_end = nullptr;
     QLabel *m_expansion = nullptr;
     std::map<SensorMeasures, Field *> m_lastSensors; ///< the first field of the last sensor of each kind

@@ -443,7 +443,8 @@ void Field::retranslate() {
                               : m_labelSource.arg(m_labelArgument);
     m_label->setText(m_heading.isEmpty() ? label : m_heading);
     if (m_answer)
-        m_answer->setText(QString(choice() == 2 ? tr("%1: no").arg(label) : label).replace(u'&', QStringLiteral("&&")));
+        m_answer->setText(
+            QString(choice() == 2 ? tr("%1: no").arg(label) : label).replace(u'&', QStringLiteral("&&")));
     m_mark->setVisible(m_required && !m_bare && !m_labelHidden);
     const QString placeholder = !m_placeholder.isEmpty()                              ? m_placeholder
                                 : m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")

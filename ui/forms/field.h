@@ -115,7 +115,7 @@ private:
     Kind m_kind;
     Reader m_reader;
     std::size_t m_most;
-    int m_height; ///< of the line, pixels
+    int m_height;                       ///< of the line, pixels
     std::optional<QString> m_ofNothing; ///< the value of the emptied field, until it is left
     bool m_bare = false;
     bool m_labelHidden = false;

@@ -416,9 +416,9 @@ Field *Form::addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int
 
 Field *Form::addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight, Field::Kind kind) {
     using Answer = std::optional<bool>;
-    return addChoiceOf(topic, {{QT_TR_NOOP("not stated"), ""}, {QT_TR_NOOP("yes"), ""}, {QT_TR_NOOP("no"), ""}},
-                       choiceOf<Answer>(std::move(member), {Answer(), Answer(true), Answer(false)}), true,
-                       weight, kind);
+    return addChoiceOf(
+        topic, {{QT_TR_NOOP("not stated"), ""}, {QT_TR_NOOP("yes"), ""}, {QT_TR_NOOP("no"), ""}},
+        choiceOf<Answer>(std::move(member), {Answer(), Answer(true), Answer(false)}), true, weight, kind);
 }
 
 Field *Form::addAnswer(const Topic &topic, int weight) {

@@ -15,7 +15,8 @@ class DocumentModel;
 class Form;
 class Selection;
 
-/// The report's pages outside the tests: identification, machine, instruments, acceptance sheet. Each is made when first shown.
+/// The report's pages outside the tests: identification, machine, instruments, acceptance sheet. Each is made
+/// when first shown.
 class ReportPages : public Translated<QStackedWidget> {
     Q_OBJECT
 

@@ -18,8 +18,8 @@ std::vector<AskedStatement> askedBy(std::span<const RequirementOf<Case>> rows, c
         const bool here = row.subject == Subject::conditions || row.subject == Subject::namedInstruments;
         if (!here || (row.applies && !row.applies(test)))
             continue;
-        const bool usual = row.modality == Grade::note ||
-                           (row.source != Source::text && row.source != Source::practice);
+        const bool usual =
+            row.modality == Grade::note || (row.source != Source::text && row.source != Source::practice);
         for (const char *path : row.keys) {
             if (!path)
                 continue;

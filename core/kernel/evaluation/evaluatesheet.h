@@ -39,8 +39,8 @@ struct NamedTest {
 };
 
 /// Judges each row: numbers of its own by the decision rule; a row that names a parameter of a test has its
-/// value, deciding U, limit and verdict, which also counts the conditions of the test. A range has a guard band at both ends; no U
-/// proves nothing where the rule needs one.
+/// value, deciding U, limit and verdict, which also counts the conditions of the test. A range has a guard
+/// band at both ends; no U proves nothing where the rule needs one.
 [[nodiscard]] std::vector<SheetResult> evaluateSheet(std::span<const SheetRow> rows, const DecisionRule &rule,
                                                      std::span<const NamedTest> tests);
 

@@ -13,7 +13,7 @@ struct ResponseRecord {
     double step = 1; ///< h, s
     std::vector<double> deviations;
     std::vector<double> temperatures; ///< from the first of them, whose level would cost digits
-    bool settled = false; ///< in balance at the first temperature: no start to be fitted
+    bool settled = false;             ///< in balance at the first temperature: no start to be fitted
 };
 
 /// Returns y with τ·dy/dt = θ − y and y(0) = θ(0), for θ straight between its values; θ itself for τ = 0.

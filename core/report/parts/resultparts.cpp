@@ -231,7 +231,8 @@ Table resultTable(const TestPart &part, const ResultForm &form, std::vector<Prin
     leaveOutEmptyColumns(table, static_cast<std::size_t>(value) + 1, table.columns.size() - 1);
     if (limited > 0 && limited < results.size()) {
         std::vector<Cell> row(table.columns.size(), blankCell());
-        row.front() = Phrase({{part.write.text(REPORT_TEXT("report", "No limit agreed")), false, false, true}});
+        row.front() =
+            Phrase({{part.write.text(REPORT_TEXT("report", "No limit agreed")), false, false, true}});
         row.front().columns = table.columns.size();
         table.rows.insert(table.rows.begin() + static_cast<std::ptrdiff_t>(limited), std::move(row));
         std::erase_if(table.rulesAfter, [&](std::size_t after) { return after < limited; });
@@ -418,8 +419,9 @@ QString notProven(const TestPart &part, const std::vector<const PrintedResult *>
     return part.write.say(words, symbols);
 }
 
-/// The result that decides a verdict, with its U and limit: the one furthest beyond its limit, or, if none is,
-/// the one closest to it. The limit comes first: value, U and limit in this order are a row of the results.
+/// The result that decides a verdict, with its U and limit: the one furthest beyond its limit, or, if none
+/// is, the one closest to it. The limit comes first: value, U and limit in this order are a row of the
+/// results.
 QString deciding(const TestPart &part, const std::vector<const PrintedResult *> &results) {
     const auto excess = [](const PrintedResult *result) {
         const Parameter &parameter = *result->parameter;

@@ -95,7 +95,8 @@ private slots:
                 continue;
             const std::string key = finding.keys.front().substr(finding.keys.front().rfind('.') + 1);
             // α stands beside the temperatures, the plane above the table of points.
-            QVERIFY2(key == "expansion" || key == "plane" || has(form.asked, key) || has(form.usual, key), key.c_str());
+            QVERIFY2(key == "expansion" || key == "plane" || has(form.asked, key) || has(form.usual, key),
+                     key.c_str());
         }
     }
 

@@ -933,7 +933,8 @@ private slots:
         test.remarks = "after the collision\nof May";
         Edited<ConditionsPage> edited(documentOf(test));
         QVERIFY(section(edited.page, "Further statements")->isFolded());
-        QVERIFY(section(edited.page, "Further statements")->summary().endsWith(u"after the collision of May"_s));
+        QVERIFY(
+            section(edited.page, "Further statements")->summary().endsWith(u"after the collision of May"_s));
         SectionHead *usual = section(edited.page, "Usual in practice");
         QVERIFY(!usual->isFolded()); // something is missing
         Field *load = fields(edited.page, u"load"_s).at(0);

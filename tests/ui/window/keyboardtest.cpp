@@ -280,7 +280,12 @@ void KeyboardTest::tabWalksTheFieldsAsTheyStand() {
         const QPoint now = walked[i]->mapTo(whole, QPoint());
         // The page may have scrolled in between: places are compared now.
         QVERIFY2(now.y() > before.y() || (now.y() == before.y() && now.x() > before.x()),
-                 qPrintable(u"%1 (%3, %4) after %2 (%5, %6)"_s.arg(walked[i]->accessibleName(), walked[i - 1]->accessibleName()).arg(now.x()).arg(now.y()).arg(before.x()).arg(before.y())));
+                 qPrintable(u"%1 (%3, %4) after %2 (%5, %6)"_s
+                                .arg(walked[i]->accessibleName(), walked[i - 1]->accessibleName())
+                                .arg(now.x())
+                                .arg(now.y())
+                                .arg(before.x())
+                                .arg(before.y())));
     }
 }
 

@@ -416,10 +416,10 @@ void LayoutTest::conditionsAreOnePage() {
             QTest::qWait(20);
             auto *fields = shown.find("conditionsFields");
             const int inView = fields->parentWidget()->height();
-            QVERIFY2(2 * fields->height() <= 3 * inView,
-                     qPrintable(u"%1: %2 of %3"_s.arg(QLatin1StringView(example))
-                                    .arg(fields->height())
-                                    .arg(inView)));
+            QVERIFY2(
+                2 * fields->height() <= 3 * inView,
+                qPrintable(
+                    u"%1: %2 of %3"_s.arg(QLatin1StringView(example)).arg(fields->height()).arg(inView)));
         }
     }
 }

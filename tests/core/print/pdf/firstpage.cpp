@@ -146,7 +146,7 @@ struct Sought {
     QString verdict = {}; ///< label and word
     QString word = {};
     QString statements = {};
-    QString reason = {}; ///< why the limits are met or not
+    QString reason = {};  ///< why the limits are met or not
     QString heading = {}; ///< of the results; empty: there are none
     QStringList rows = {};
 };
@@ -256,11 +256,11 @@ void FirstPageTest::theDecisionIsReadAtOnce() {
     const auto language = seed % 2 == 0 ? Language::Id::french : Language::Id::english;
     const Report report = reportOf(document, language);
     const Sought sought = soughtIn(report).front();
-    const QString third = squeezed(QString::fromUtf8(
-        run(u"pdftotext"_s,
-            {u"-l"_s, u"1"_s, u"-x"_s, u"0"_s, u"-y"_s, u"0"_s, u"-W"_s, u"595"_s, u"-H"_s, u"281"_s, u"-"_s,
-             u"-"_s},
-            pdfOf(report))));
+    const QString third =
+        squeezed(QString::fromUtf8(run(u"pdftotext"_s,
+                                       {u"-l"_s, u"1"_s, u"-x"_s, u"0"_s, u"-y"_s, u"0"_s, u"-W"_s, u"595"_s,
+                                        u"-H"_s, u"281"_s, u"-"_s, u"-"_s},
+                                       pdfOf(report))));
     QVERIFY2(third.contains(squeezed(sought.word)), qPrintable(third));
     QVERIFY2(third.contains(squeezed(sought.reason)), qPrintable(sought.reason + u'\n' + third));
     const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
