@@ -4755,6 +4755,11 @@
         <translation>Temps</translation>
     </message>
     <message>
+        <source>Time</source>
+        <comment>of day</comment>
+        <translation>Heure</translation>
+    </message>
+    <message>
         <source>Deviation at rest</source>
         <translation>Écart au repos</translation>
     </message>

@@ -1180,8 +1180,8 @@
         <translation>Capteur non attribué, fin</translation>
     </message>
     <message>
-        <source>Remove the sensor</source>
-        <translation>Supprimer le capteur</translation>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>not stated</source>

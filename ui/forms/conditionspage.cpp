@@ -324,7 +324,7 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal, bool fi
     m_lastSensors[what] = start;
     if (ordinal > 0 || what == SensorMeasures::notStated)
         addButton(
-            QT_TR_NOOP("Remove the sensor"),
+            QT_TR_NOOP("Remove"),
             [this, what, ordinal] {
                 edit(QT_TRANSLATE_NOOP("edits", "remove a sensor"), [&](Document &document) {
                     editTest(document, this->test(),

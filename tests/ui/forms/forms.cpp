@@ -679,7 +679,7 @@ private slots:
         QCOMPARE(fields(edited.page, u"sensors"_s).size(), 12);
         QCOMPARE(fields(edited.page, u"sensors"_s).at(11)->text(), u"table"_s);
         for (auto *one : edited.page.findChildren<QAbstractButton *>()) {
-            if (one->text() == u"Remove the sensor"_s)
+            if (one->text() == u"Remove"_s)
                 one->click();
         }
         QVERIFY(edited.conditions().common.sensors.empty());
