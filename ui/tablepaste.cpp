@@ -7,12 +7,50 @@
 #include "ui/pastebar.h"
 #include "ui/windowlanguage.h"
 
+#include <QKeyEvent>
 #include <QLayout>
 #include <QScopedValueRollback>
 #include <QUndoStack>
 #include <utility>
 
 namespace palmer::ui {
+
+namespace {
+
+class TableKeys : public QObject {
+public:
+    TableKeys(QWidget &table, std::function<void()> paste, std::function<void()> remove)
+        : QObject(&table)
+        , m_paste(std::move(paste))
+        , m_remove(std::move(remove)) {
+        table.installEventFilter(this);
+    }
+
+    bool eventFilter(QObject *watched, QEvent *event) override {
+        if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
+            auto *key = static_cast<QKeyEvent *>(event);
+            const bool pastes = key->matches(QKeySequence::Paste);
+            if (pastes || key->matches(QKeySequence::Delete)) {
+                if (event->type() == QEvent::ShortcutOverride)
+                    event->accept();
+                else
+                    (pastes ? m_paste : m_remove)();
+                return true;
+            }
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    std::function<void()> m_paste;
+    std::function<void()> m_remove;
+};
+
+} // namespace
+
+void takeTableKeys(QWidget &table, std::function<void()> paste, std::function<void()> remove) {
+    new TableKeys(table, std::move(paste), std::move(remove));
+}
 
 TablePaste::TablePaste(DocumentModel &model, QWidget &page)
     : QObject(&page)

@@ -54,4 +54,8 @@ private:
     bool m_isReading = false;
 };
 
+/// Lets the keys of Paste and Delete call these in a table, although the window has them as shortcuts for
+/// other kinds of test.
+void takeTableKeys(QWidget &table, std::function<void()> paste, std::function<void()> remove);
+
 } // namespace palmer::ui

@@ -19,9 +19,7 @@
 #include "ui/testname.h"
 #include "ui/theme.h"
 
-#include <QEvent>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollBar>
 #include <QTableView>
@@ -74,7 +72,8 @@ void DriftPage::makeTable() {
     m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                              QAbstractItemView::AnyKeyPressed);
     m_table->horizontalHeader()->setDefaultSectionSize(driftColumnWidth);
-    m_table->installEventFilter(this);
+    takeTableKeys(
+        *m_table, [this] { paste(); }, [this] { removeRows(); });
 }
 
 void DriftPage::connectParts() {
@@ -249,26 +248,6 @@ void DriftPage::goOn() {
 void DriftPage::showReason(const QString &reason) {
     m_reason->setText(capitalised(reason));
     m_reason->setVisible(!reason.isEmpty());
-}
-
-bool DriftPage::eventFilter(QObject *watched, QEvent *event) {
-    if (watched == m_table &&
-        (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride)) {
-        auto *key = static_cast<QKeyEvent *>(event);
-        const bool pastes = key->matches(QKeySequence::Paste);
-        const bool removes = key->matches(QKeySequence::Delete);
-        if (pastes || removes) {
-            // The window's shortcuts with these keys are for other kinds of test.
-            if (event->type() == QEvent::ShortcutOverride)
-                event->accept();
-            else if (pastes)
-                paste();
-            else
-                removeRows();
-            return true;
-        }
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 } // namespace palmer::ui

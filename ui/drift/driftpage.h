@@ -35,8 +35,6 @@ public:
     bool undoRefused() { return m_readings.undoRefused(); }
 
 protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     void makeTable();
     void connectParts();

@@ -13,7 +13,6 @@
 #include "ui/theme.h"
 
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
@@ -120,7 +119,8 @@ void SheetPage::makeTable() {
     for (std::size_t column = 0; column < columnWidths.size(); ++column)
         m_table->setColumnWidth(static_cast<int>(column), columnWidths[column]);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the page scrolls
-    m_table->installEventFilter(this);
+    takeTableKeys(
+        *m_table, [this] { paste(); }, [this] { removeRows(); });
     const auto sayWhy = [this](const QString &reason) {
         m_reason->setText(capitalised(reason));
         m_reason->setVisible(!reason.isEmpty());
@@ -220,25 +220,6 @@ void SheetPage::refreshOthers() {
                            : joined({said.state, said.text.plain()}, QStringLiteral(" · ")));
     const auto hasParameters = [](const TestEvaluationPointer &test) { return !test->parameters.empty(); };
     m_link->setEnabled(std::ranges::any_of(evaluated().tests, hasParameters));
-}
-
-bool SheetPage::eventFilter(QObject *watched, QEvent *event) {
-    if (watched == m_table &&
-        (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride)) {
-        auto *key = static_cast<QKeyEvent *>(event);
-        const bool pastes = key->matches(QKeySequence::Paste);
-        const bool removes = key->matches(QKeySequence::Delete);
-        if (pastes || removes) {
-            if (event->type() == QEvent::ShortcutOverride)
-                event->accept();
-            else if (pastes)
-                paste();
-            else
-                removeRows();
-            return true;
-        }
-    }
-    return Form::eventFilter(watched, event);
 }
 
 } // namespace palmer::ui

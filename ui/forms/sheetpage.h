@@ -23,7 +23,6 @@ public:
 
 protected:
     void refreshOthers() override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void makeTable();
