@@ -38,15 +38,23 @@ void SheetModel::show(const EvaluatedDocument &evaluated, const Language &langua
         }
     };
     const int wanted = evaluated.document ? static_cast<int>(evaluated.document->report.sheet.size()) + 1 : 0;
-    if (wanted != before) {
+    if (wanted == 0 || before == 0) {
         beginResetModel();
         take();
         endResetModel();
         return;
     }
-    take(); // no reset, which would close an open editor
-    if (wanted > 0)
-        emit dataChanged(index(0, 0), index(wanted - 1, columns - 1));
+    // No reset, which would close an open editor and take the keyboard from the table.
+    if (wanted < before)
+        beginRemoveRows({}, wanted, before - 1);
+    else if (wanted > before)
+        beginInsertRows({}, before, wanted - 1);
+    take();
+    if (wanted < before)
+        endRemoveRows();
+    else if (wanted > before)
+        endInsertRows();
+    emit dataChanged(index(0, 0), index(wanted - 1, columns - 1));
     emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
 }
 
