@@ -515,7 +515,7 @@
     </message>
     <message>
         <source>machine complete and in working order</source>
-        <translation>machine complète et en état de marche</translation>
+        <translation>machine complète et en ordre de marche</translation>
     </message>
     <message>
         <source>machine unloaded</source>
@@ -1587,7 +1587,7 @@
     </message>
     <message>
         <source>complete and in working order</source>
-        <translation>complète et en état de marche</translation>
+        <translation>complète et en ordre de marche</translation>
     </message>
     <message>
         <source>not complete</source>
@@ -4171,7 +4171,7 @@
     </message>
     <message>
         <source>The machine was completely assembled and in working order; guards may be absent.</source>
-        <translation>La machine était complètement assemblée et en état de marche&#x202f;; les protecteurs peuvent manquer.</translation>
+        <translation>La machine était complètement assemblée et en ordre de marche&#x202f;; les protecteurs peuvent manquer.</translation>
     </message>
     <message>
         <source>Levelled and aligned</source>
@@ -4755,8 +4755,7 @@
         <translation>Temps</translation>
     </message>
     <message>
-        <source>Time</source>
-        <comment>of day</comment>
+        <source>Time of day</source>
         <translation>Heure</translation>
     </message>
     <message>
@@ -5957,7 +5956,7 @@
     </message>
     <message>
         <source>The machine was not complete or not in working order.</source>
-        <translation>Machine incomplète ou pas en état de marche.</translation>
+        <translation>Machine incomplète ou pas en ordre de marche.</translation>
     </message>
     <message>
         <source>levelling, alignment and functional checks</source>
@@ -8834,7 +8833,7 @@
     </message>
     <message>
         <source>Machine complete, in working order</source>
-        <translation>Machine complète, en état de marche</translation>
+        <translation>Machine complète, en ordre de marche</translation>
     </message>
     <message>
         <source>Machine unloaded</source>

@@ -1209,7 +1209,7 @@
     </message>
     <message>
         <source>All of these apply</source>
-        <translation>Tout cela est le cas</translation>
+        <translation>Tout est satisfait</translation>
     </message>
     <message>
         <source>Correction to 20 °C: %1.</source>

@@ -16,6 +16,7 @@
 #include "ui/results/resultsmodel.h"
 #include "ui/welcome/examples.h"
 
+#include <QCheckBox>
 #include <QImage>
 #include <QInputDialog>
 #include <QLabel>
@@ -629,6 +630,11 @@ void LayoutTest::labelsOfFormsAreWhole() {
                     const auto *label = field->findChild<ElidedLabel *>();
                     if (label->isVisible() && label->shownText() != label->text())
                         cut += label->text();
+                }
+                for (const QCheckBox *box : shown.window->findChildren<QCheckBox *>()) {
+                    const bool isWhole = box->sizeHint().width() <= box->width();
+                    if (box->isVisible() && qobject_cast<const Field *>(box->parentWidget()) && !isWhole)
+                        cut += box->text();
                 }
             }
         }
