@@ -9282,8 +9282,8 @@
         <translation>la personne qui autorise le rapport</translation>
     </message>
     <message>
-        <source>what to write: readings and results, a digital calibration certificate, or a compensation table</source>
-        <translation>ce qu’il faut écrire&#xa0;: relevés et résultats, certificat d’étalonnage numérique ou table de compensation</translation>
+        <source>what to write: readings and results, a digital calibration certificate, a compensation table, or the part program of the test&apos;s own targets</source>
+        <translation>ce qu’il faut écrire&#xa0;: relevés et résultats, certificat d’étalonnage numérique, table de compensation ou programme pièce des points visés de l’essai</translation>
     </message>
     <message>
         <source>expected a country as two capital letters (ISO 3166-1), as FR</source>
@@ -9314,8 +9314,8 @@
         <translation>certificat %1</translation>
     </message>
     <message>
-        <source>readings and results, a digital calibration certificate, or a compensation table with what it would bring</source>
-        <translation>relevés et résultats, certificat d’étalonnage numérique, ou table de compensation avec ce qu’elle apporterait</translation>
+        <source>readings and results, a digital calibration certificate, a compensation table with what it would bring, or the part program of a test</source>
+        <translation>relevés et résultats, certificat d’étalonnage numérique, table de compensation avec ce qu’elle apporterait, ou programme pièce d’un essai</translation>
     </message>
     <message>
         <source>Reason of the revision</source>
@@ -10186,6 +10186,26 @@
     <message>
         <source>what has changed from test A to test B: differences with their uncertainty</source>
         <translation>ce qui a changé de l’essai A à l’essai B : différences avec leur incertitude</translation>
+    </message>
+    <message>
+        <source>That is beyond the ends of the axis, %1 and %2.</source>
+        <translation>C’est au-delà des extrémités de l’axe, %1 et %2.</translation>
+    </message>
+    <message>
+        <source>That is more than the travel of the axis, %1.</source>
+        <translation>C’est plus que la longueur d’axe, %1.</translation>
+    </message>
+    <message>
+        <source>program: without it that of the machine&apos;s control</source>
+        <translation>program : sans l’option, celui de la commande de la machine</translation>
+    </message>
+    <message>
+        <source>the test has no targets to move to: plan them with %1</source>
+        <translation>l’essai n’a pas de points visés à atteindre : les planifier avec %1</translation>
+    </message>
+    <message>
+        <source>the test names no control whose language is known: say it with %1</source>
+        <translation>l’essai ne nomme aucune commande dont le langage soit connu : l’indiquer avec %1</translation>
     </message>
 </context>
 </TS>

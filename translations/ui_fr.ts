@@ -1116,6 +1116,10 @@
         <source>The de&amp;viations are actual − target</source>
         <translation>Les é&amp;carts sont «&#xa0;réel − visé&#xa0;»</translation>
     </message>
+    <message>
+        <source>After %1, from the means at the targets: this table is not complete.</source>
+        <translation>Selon %1, à partir des moyennes aux points visés : cette table n’est pas complète.</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ConditionsPage</name>
@@ -3161,6 +3165,10 @@
         <source>not stated</source>
         <translation>non indiqué</translation>
     </message>
+    <message>
+        <source>The last target is %1, not %2: to every nominal position, each %3, a random part of up to ± %4 is added so that periodic errors show, and no target may lie beyond the ends.</source>
+        <translation>Le dernier point visé est %1, et non %2 : à chaque position nominale, tous les %3, s’ajoute une part aléatoire d’au plus ± %4 qui révèle les erreurs périodiques, et aucun point ne peut dépasser les extrémités.</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::PasteBar</name>
@@ -3314,10 +3322,6 @@
         <translation>Un axe long&#xa0;: une fois par sens sur toute la course, et en plus un essai complet d’une zone, prévu de %1 à %2&#x202f;; la zone est à convenir.</translation>
     </message>
     <message>
-        <source>That is beyond the ends of the axis.</source>
-        <translation>C’est au-delà des extrémités de l’axe.</translation>
-    </message>
-    <message>
         <source>The step cycle needs a written agreement.</source>
         <translation>Le cycle en pas demande un accord écrit.</translation>
     </message>
@@ -3400,6 +3404,18 @@
     <message>
         <source>at the multiples of 90° and, at random, one in each %1 of the travel. The axis moves from %2 to %3.</source>
         <translation>aux multiples de 90° et, au hasard, un par tranche de %1 de la course. L’axe va de %2 à %3.</translation>
+    </message>
+    <message>
+        <source>of this test. The axis moves from %1 to %2.</source>
+        <translation>de cet essai. L’axe se déplace de %1 à %2.</translation>
+    </message>
+    <message>
+        <source>Plan new &amp;targets</source>
+        <translation>Planifier de nouveaux &amp;points</translation>
+    </message>
+    <message>
+        <source>Chosen by the rule of the edition; the test keeps its own until they are put into it</source>
+        <translation>Choisis selon la règle de l’édition ; l’essai garde les siens tant qu’ils n’y sont pas inscrits</translation>
     </message>
 </context>
 <context>

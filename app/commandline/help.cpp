@@ -180,6 +180,7 @@ QStringList examplesOf(const Command &command, const QString &part) {
         "compare before.palmer after.palmer", "compare x.palmer x.palmer --test 1,2 --json",
         "import x.rtl --accept -o x.palmer", "import x.csv --set unit=um --set axis=X -o x.palmer",
         "export x.palmer --as csv -o x.csv", "export x.palmer --as linuxcnc -o x.comp",
+        "export x.palmer --as program --dialect siemens -o x.mpf",
         "targets --axis X --travel 500 -o plan.palmer", "targets --travel 500 --program siemens -o x.mpf",
         "feed --specified-diameter 100 --specified-feed 500 --diameter 125",
         "synthesize circular --source backlash:X=6 -o made.palmer", "synthesize positioning --noise 0.5 -o made.palmer",

@@ -176,4 +176,14 @@ void requireTestOf(const Edition &edition, const Document &document) {
             {REPORT_TEXT("report", "no test of the file is of the kind of %1"), {std::string(edition.word)}});
 }
 
+std::optional<Dialect> dialectOf(const Invocation &invocation, const char *option,
+                                 std::optional<Dialect> otherwise) {
+    const auto word = invocation.value(option);
+    if (!word)
+        return otherwise;
+    return std::ranges::find_if(dialects(), [&](const DialectName &each) {
+               return *word == QLatin1StringView(each.word);
+           })->dialect; // parseArguments() has checked the word
+}
+
 } // namespace palmer

@@ -4,11 +4,13 @@
 
 #include "commandline/command.h"
 #include "document/document.h"
+#include "export/partprogram.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/axis.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 
 namespace palmer {
@@ -51,6 +53,14 @@ namespace palmer {
 /// case, with or without blanks ("2006", "iso230-4:2005", "VDI"). Throws UsageError with the possible
 /// editions, of the given kind if any.
 [[nodiscard]] const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> kind = {});
+
+/// The dialect of a part program that an option names, or `otherwise` without it.
+[[nodiscard]] std::optional<Dialect> dialectOf(const Invocation &invocation, const char *option,
+                                               std::optional<Dialect> otherwise = {});
+
+/// Endings of part programs, see requireOutput().
+constexpr std::initializer_list<const char *> programEndings{"nc",  "ngc", "mpf", "spf", "h",
+                                                             "iso", "cnc", "tap", "txt"};
 
 /// Throws UsageError if no test has the kind of the edition, which would then have no effect.
 void requireTestOf(const Edition &edition, const Document &document);

@@ -7,12 +7,14 @@
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
 #include "document/filename.h"
+#include "document/plannedtest.h"
 #include "document/savedocument.h"
-#include "export/compensation.h"
+#include "export/controls.h"
 #include "export/dcc.h"
 #include "export/resultsjson.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/surroundings.h"
+#include "report/planreport.h"
 
 #include <array>
 
@@ -21,13 +23,16 @@ namespace palmer {
 namespace {
 
 constexpr const char *tables = "as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
-constexpr const char *notJson = "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
+constexpr const char *notJson =
+    "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv|as=program";
 
 constexpr auto exportOptions = optionList(
-    Option{"as", "csv|json|dcc|linuxcnc|siemens|weihong|compensation-csv",
+    Option{"as", "csv|json|dcc|linuxcnc|siemens|weihong|compensation-csv|program",
            REPORT_TEXT("report",
-                       "what to write: readings and results, a digital calibration certificate, or a "
-                       "compensation table")},
+                       "what to write: readings and results, a digital calibration certificate, a "
+                       "compensation table, or the part program of the test's own targets")},
+    Option{"dialect", "iso|siemens|heidenhain|linuxcnc|haas",
+           REPORT_TEXT("report", "program: without it that of the machine's control"), false, "as=program"},
     Option{"o", "OUT", REPORT_TEXT("report", "the file to write")},
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first"), false,
            notJson},
@@ -96,6 +101,8 @@ void requireEnding(const Invocation &invocation, const QString &output, const QS
         requireOutput(invocation, output, {"mpf", "spf", "ini", "txt"});
     else if (form == QLatin1StringView("weihong"))
         requireOutput(invocation, output, {"dat", "txt"});
+    else if (form == QLatin1StringView("program"))
+        requireOutput(invocation, output, programEndings);
     else
         requireOutput(invocation, output, {"csv", "tsv", "txt"});
 }
@@ -211,6 +218,32 @@ void requireSign(const Test &test, bool isConfirmed) {
              {file->fileName, std::string("--confirm-sign"), std::string("--set sign=targetMinusActual")}});
 }
 
+/// The part program of a test's own targets; says where the axis moves.
+QByteArray ownProgram(const Invocation &invocation, const Document &document, std::size_t index) {
+    const auto plan = planOf(*document.tests[index]);
+    if (!plan)
+        throw UsageError({REPORT_TEXT("report", "the test has no targets to move to: plan them with %1"),
+                          {std::string("palmer-cli targets")}});
+    const auto dialect =
+        dialectOf(invocation, "dialect", formatsOfControl(document.machine.controller).program);
+    if (!dialect)
+        throw UsageError(
+            {REPORT_TEXT("report", "the test names no control whose language is known: say it with %1"),
+             {std::string("--dialect iso|siemens|heidenhain|linuxcnc|haas")}});
+    const CycleProgram &program = plan->program;
+    const QByteArray written = partProgram(program, *dialect, invocation.language);
+    if (const auto over = overtravelText(program, plan->planned.request)) {
+        const Quantity position = program.motion == Motion::linear ? Quantity::position : Quantity::angle;
+        const Interval moved = movedThrough(program);
+        printError(
+            invocation.language.sentence(
+                {REPORT_TEXT("report", "The axis moves from %1 to %2."),
+                 {Number{moved.from, position, program.decimals}, Number{moved.to, position, program.decimals}}}) +
+            u' ' + invocation.language.sentence(*over));
+    }
+    return written;
+}
+
 int runExport(const Invocation &invocation) {
     const auto output = invocation.value("o");
     const QString form = invocation.value("as").value_or(QString());
@@ -247,7 +280,9 @@ int runExport(const Invocation &invocation) {
                                          *compensation, table);
             }
             bytes = compensation ? writeCompensation(made, *compensation, table)
-                                 : readingsCsv(evaluated, index, names, table.decimalMark);
+                    : form == QLatin1StringView("program")
+                        ? ownProgram(invocation, *evaluated.document, index)
+                        : readingsCsv(evaluated, index, names, table.decimalMark);
         }
         if (const int code = written(invocation, {{bytes, *output}}); code != done)
             return code;
@@ -267,8 +302,8 @@ int runExport(const Invocation &invocation) {
 Command exportCommand() {
     return {"export", "FILE",
             REPORT_TEXT("report",
-                        "readings and results, a digital calibration certificate, or a compensation "
-                        "table with what it would bring"),
+                        "readings and results, a digital calibration certificate, a compensation "
+                        "table with what it would bring, or the part program of a test"),
             exportOptions, runExport};
 }
 

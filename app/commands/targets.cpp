@@ -110,15 +110,6 @@ Begun begun(const Invocation &invocation) {
     return result;
 }
 
-std::optional<Dialect> dialect(const Invocation &invocation) {
-    const auto word = invocation.value("program");
-    if (!word)
-        return std::nullopt;
-    const auto found = std::ranges::find_if(
-        dialects(), [&](const DialectName &each) { return *word == QLatin1StringView(each.word); });
-    return found->dialect; // parseArguments() has checked the word
-}
-
 std::optional<Interval> interval(const Invocation &invocation, const char *option) {
     const auto given = invocation.value(option);
     return given ? std::optional(intervalGiven(option, *given)) : std::nullopt;
@@ -201,7 +192,7 @@ CycleProgram program(const Invocation &invocation, CycleProgram result, double a
 std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation, const QString &output,
                                                     std::span<const PlannedMeasurement> plans,
                                                     const CycleProgram &cycle, const Edition &edition) {
-    const auto chosen = dialect(invocation);
+    const auto chosen = dialectOf(invocation, "program");
     const QString ending = QFileInfo(output).suffix().toLower();
     if (!chosen) {
         requireOutput(invocation, output, {"palmer", "pdf", "txt"});
@@ -212,7 +203,7 @@ std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation
         QString path = output;
         if (one.request.zone && output != QLatin1StringView("-"))
             path.insert(output.size() - (ending.isEmpty() ? 0 : ending.size() + 1), QStringLiteral("-zone"));
-        requireOutput(invocation, path, {"nc", "ngc", "mpf", "spf", "h", "iso", "cnc", "tap", "txt"});
+        requireOutput(invocation, path, programEndings);
         try {
             files.emplace_back(path, partProgram(programOf(one, cycle), *chosen, invocation.language));
         } catch (const Error &error) {

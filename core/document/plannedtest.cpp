@@ -7,7 +7,9 @@
 #include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <tuple>
 #include <variant>
 
 namespace palmer {
@@ -95,6 +97,42 @@ std::pair<TargetRequest, CycleProgram> plannedFor(const Test &test) {
     if (measurement->conditions.dwell && *measurement->conditions.dwell > 0)
         program.dwell = *measurement->conditions.dwell;
     return {request, program};
+}
+
+std::optional<PlanOfTest> planOf(const Test &test) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (!measurement || measurement->targets.empty())
+        return std::nullopt;
+    PlanOfTest result;
+    TargetRequest &request = result.planned.request;
+    TargetPlan &plan = result.planned.plan;
+    std::tie(request, result.program) = plannedFor(test);
+    plan.targets = measurement->targets;
+    plan.interval = measurement->targetChoice.interval;
+    plan.ofTest = true;
+    request.from = plan.targets.front();
+    request.travel = plan.targets.back() - request.from;
+    constexpr int mostDecimals = 9;
+    const auto isExact = [&request](double target) {
+        const double steps = target * std::pow(10.0, request.decimals);
+        constexpr double noise = 1e-5; // of a step
+        return std::abs(steps - std::round(steps)) < noise;
+    };
+    while (request.decimals < mostDecimals && !std::ranges::all_of(plan.targets, isExact))
+        ++request.decimals;
+    const auto runs = [&](Direction direction) {
+        return static_cast<int>(std::ranges::count(measurement->runs, direction, &Run::approach));
+    };
+    const int up = runs(Direction::positive);
+    const int down = runs(Direction::negative);
+    if (up + down > 0) {
+        plan.runs = std::max(up, down);
+        if (up == 0 || down == 0)
+            result.program.only = up == 0 ? Direction::negative : Direction::positive;
+    }
+    result.program.runs = plan.runs;
+    result.program = programOf(result.planned, result.program);
+    return result;
 }
 
 } // namespace palmer

@@ -6,6 +6,7 @@
 #include "kernel/planning/cycleprogram.h"
 #include "kernel/planning/targetplan.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,5 +22,15 @@ namespace palmer {
 /// ends it is the travel of the test, otherwise that of the axis. A rotary axis gets one turn, a long axis
 /// its agreed zone.
 [[nodiscard]] std::pair<TargetRequest, CycleProgram> plannedFor(const Test &test);
+
+/// A test as it is measured: its own targets and the program of its cycle.
+struct PlanOfTest {
+    PlannedMeasurement planned;
+    CycleProgram program;
+};
+
+/// Returns targets, runs, directions and cycle as the test has them, the rest like plannedFor(); null for a test
+/// without targets and for other kinds. Positions have as many decimals as the targets need, 3 to 9.
+[[nodiscard]] std::optional<PlanOfTest> planOf(const Test &test);
 
 } // namespace palmer

@@ -31,7 +31,11 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
                                                                   Number{request.zone->to, position, -1}}));
     add(REPORT_TEXT("report", "Targets"),
         language.number(static_cast<double>(plan.targets.size()), Quantity::count));
-    if (!plan.interval) {
+    if (plan.ofTest) {
+        if (plan.interval)
+            add(REPORT_TEXT("report", "Nominal interval"),
+                language.quantity(*plan.interval, position, request.decimals));
+    } else if (!plan.interval) {
         add(REPORT_TEXT("report", "Quarter turns"),
             language.text(REPORT_TEXT("report", "all multiples of 90° within the travel")));
         add(REPORT_TEXT("report", "Further targets"),
@@ -51,11 +55,16 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
         add(REPORT_TEXT("report", "Rule"),
             language.text(REPORT_TEXT("report", "that of ISO 230-2:2006: ISO 230-2:1988 has none for an "
                                                 "unknown or long cyclic pitch")));
-    add(REPORT_TEXT("report", "Seed"), QString::number(request.seed));
+    if (!plan.ofTest)
+        add(REPORT_TEXT("report", "Seed"), QString::number(request.seed));
     add(REPORT_TEXT("report", "Cycle"),
         language.text(program.cycle == Cycle::standard ? REPORT_TEXT("report", "standard test cycle")
                                                        : REPORT_TEXT("report", "step cycle")));
-    add(REPORT_TEXT("report", "Runs each way"), language.number(program.runs, Quantity::count));
+    add(REPORT_TEXT("report", "Runs each way"),
+        language.number(program.runs, Quantity::count) +
+            QLatin1StringView(!program.only                             ? ""
+                              : *program.only == Direction::positive ? " ↑"
+                                                                     : " ↓"));
     add(REPORT_TEXT("report", "Feed rate"),
         program.feed ? language.quantity(*program.feed, linear ? Quantity::feed : Quantity::angularFeed)
                      : language.text(REPORT_TEXT("report", "rapid feed")));
@@ -65,14 +74,18 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
 }
 
 /// Table of runs first … last − 1 of the plan, with an empty field per reading.
-Table table(const TargetPlan &plan, const TargetRequest &request, int first, int last,
+Table table(const TargetPlan &plan, const TargetRequest &request, const CycleProgram &program, int first,
             const Language &language) {
+    const int last = std::min(program.runs, first + runsBeside);
+    std::vector<const char *> arrows{"↑", "↓"};
+    if (program.only)
+        arrows.erase(arrows.begin() + (*program.only == Direction::positive ? 1 : 0));
     const Quantity position = request.motion == Motion::linear ? Quantity::position : Quantity::angle;
     Table result;
     result.columns.push_back({QStringLiteral("i"), {}, Alignment::right, false});
     result.columns.push_back({QStringLiteral("P"), language.unit(position), Alignment::decimal, false});
     for (int run = first; run < last; ++run) {
-        for (const char *arrow : {"↑", "↓"})
+        for (const char *arrow : arrows)
             result.columns.push_back(
                 {QString::number(run + 1) + QString::fromUtf8(arrow), {}, Alignment::right, true});
     }
@@ -80,7 +93,7 @@ Table table(const TargetPlan &plan, const TargetRequest &request, int first, int
         std::vector<Cell> row{QString::number(i + 1),
                               language.number(plan.targets[i], position, request.decimals)};
         for (int run = first; run < last; ++run)
-            row.insert(row.end(), 2, Cell(QStringLiteral("\n"))); // space to write
+            row.insert(row.end(), arrows.size(), Cell(QStringLiteral("\n"))); // space to write
         result.rows.push_back(std::move(row));
         result.rulesAfter.push_back(i);
     }
@@ -94,18 +107,18 @@ void add(Report &report, const PlannedMeasurement &planned, const CycleProgram &
     const TargetPlan &plan = planned.plan;
     report.blocks.emplace_back(head(request, plan, program, language));
     const Quantity position = request.motion == Motion::linear ? Quantity::position : Quantity::angle;
-    const auto turning = [&](double target, Direction approach) {
-        return Number{turningPoint(program, target, approach), position, request.decimals};
-    };
-    report.blocks.emplace_back(
-        Paragraph{language.sentence(REPORT_TEXT("report", "The axis moves from %1 to %2."),
-                                    {turning(plan.targets.front(), Direction::positive),
-                                     turning(plan.targets.back(), Direction::negative)})});
+    const Interval moved = movedThrough(program);
+    QString travel = language.sentence(
+        REPORT_TEXT("report", "The axis moves from %1 to %2."),
+        {Number{moved.from, position, request.decimals}, Number{moved.to, position, request.decimals}});
+    if (const auto over = overtravelText(program, request))
+        travel += u' ' + language.sentence(*over);
+    report.blocks.emplace_back(Paragraph{travel});
     report.blocks.emplace_back(
         Heading{2, language.text(REPORT_TEXT("report", "Readings, in the order they are taken"))});
     for (int first = 0; first < program.runs; first += runsBeside)
         report.blocks.emplace_back(
-            table(plan, request, first, std::min(program.runs, first + runsBeside), language));
+            table(plan, request, program, first, language));
 }
 
 } // namespace
@@ -127,6 +140,17 @@ Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgr
     report.footerLeft = report.title;
     report.footerRight = language.text(REPORT_TEXT("report", "page %1 / %2"));
     return report;
+}
+
+std::optional<Message> overtravelText(const CycleProgram &program, const TargetRequest &request) {
+    if (!overtravelOf(program, request).any())
+        return std::nullopt;
+    const Quantity position = request.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    if (const auto &ends = request.axisRange)
+        return Message{REPORT_TEXT("report", "That is beyond the ends of the axis, %1 and %2."),
+                       {Number{ends->from, position, -1}, Number{ends->to, position, -1}}};
+    return Message{REPORT_TEXT("report", "That is more than the travel of the axis, %1."),
+                   {Number{*request.axisTravel, position, -1}}};
 }
 
 QString targetList(const TargetPlan &plan, int decimals) {

@@ -8,6 +8,7 @@
 #include "report/blocks/report.h"
 
 #include <QString>
+#include <optional>
 #include <span>
 
 namespace palmer {
@@ -17,6 +18,10 @@ namespace palmer {
 /// `program`: of the first plan; targets and runs are those of each plan.
 [[nodiscard]] Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgram &program,
                                  const Language &language);
+
+/// What is wrong with a cycle that moves beyond its axis; null if it does not. It follows the sentence that says
+/// from where to where the axis moves.
+[[nodiscard]] std::optional<Message> overtravelText(const CycleProgram &program, const TargetRequest &request);
 
 /// Only the targets, one per line: number, tab, position with a decimal point.
 [[nodiscard]] QString targetList(const TargetPlan &plan, int decimals);

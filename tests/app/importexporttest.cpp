@@ -62,6 +62,7 @@ private slots:
     void asksForWhatATableOwes();
     void asksForASignThatWasAssumed();
     void inventsNoDirection();
+    void writesTheProgramOfTheTestItself();
     void comparesWithTheTableOfAControl();
     void writesThePointsOfAFigure();
     void refusesHugeFilesAtOnce();
@@ -333,6 +334,34 @@ void ImportExportTest::inventsNoDirection() {
         QVERIFY(refused.out.isEmpty());
         QCOMPARE(refused.err.count('\n'), 1);
     }
+}
+
+/// The plan belongs to the test: what moves the machine goes to the targets that the file has.
+void ImportExportTest::writesTheProgramOfTheTestItself() {
+    const QString file = at("own.palmer");
+    QFile own(file);
+    QVERIFY(own.open(QIODevice::WriteOnly));
+    own.write(R"({"format": "palmer test report", "version": 1, "machine": {"controller": "SINUMERIK 840D"},
+        "tests": [{"kind": "positioning", "edition": "ISO 230-2:2006",
+        "axis": {"name": "X", "motion": "linear", "travel": 100}, "targets": [0.25, 50.1234, 99.5],
+        "runs": [{"approach": "positive", "deviations": [null, null, null]},
+                 {"approach": "negative", "deviations": [null, null, null]}]},
+        {"kind": "circular", "edition": "ISO 230-4:2005", "plane": {"first": "X", "second": "Y"}, "nominalRadius": 50, "arcs": []}]})");
+    own.close();
+    const QStringList wanted{"export", file, "--as", "program", "--language", "en", "-o", "-"};
+    const Result ofControl = run(wanted);
+    QVERIFY2(ofControl.code == 0, qPrintable(ofControl.err));
+    QVERIFY2(ofControl.out.contains("G710") && ofControl.out.contains("X50.1234"), qPrintable(ofControl.out));
+    QVERIFY2(ofControl.err.contains("more than the travel of the axis"), qPrintable(ofControl.err));
+    const Result asked = run(wanted + QStringList{"--dialect", "heidenhain"});
+    QVERIFY2(asked.code == 0 && asked.out.contains("L X+50.1234"), qPrintable(asked.err + asked.out));
+    QCOMPARE(run(wanted + QStringList{"--dialect", "other"}).code, 2);
+    QCOMPARE(run({"export", file, "--as", "csv", "--dialect", "iso", "-o", "-"}).code, 2);
+    const Result circle = run(wanted + QStringList{"--test", "2"});
+    QVERIFY2(circle.code == 2 && circle.err.contains("no targets"), qPrintable(circle.err));
+    const Result unknown = run(wanted + QStringList{"--set", "machine.controller=Other"});
+    QVERIFY2(unknown.code == 2 && unknown.err.contains("--dialect iso|siemens"), qPrintable(unknown.err));
+    QCOMPARE(run({"export", file, "--as", "program", "-o", at("p.pdf")}).code, 2);
 }
 
 void ImportExportTest::comparesWithTheTableOfAControl() {

@@ -178,9 +178,13 @@ std::vector<Base> OptionEffectTest::bases() const {
                              {"linuxcnc", "comp"},
                              {"siemens", "mpf"},
                              {"weihong", "dat"},
-                             {"compensation-csv", "csv"}}) {
+                             {"compensation-csv", "csv"},
+                             {"program", "nc"}}) {
         QStringList words{"export", EXAMPLES "long-axis-with-zone.palmer", "--as", form.name,
                           "-o",     QString("OUT/e.") + form.ending};
+        if (QString(form.name) == "program")
+            words << "--dialect"
+                  << "iso";
         if (QString(form.name) == "siemens")
             words << "--reference"
                   << "0";

@@ -4,6 +4,7 @@
 
 #include "document/savedocument.h"
 #include "document/testfile.h"
+#include "export/controls.h"
 #include "figures/testfigures.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/evaluatetest.h"
@@ -123,6 +124,11 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     connect(m_save, &QPushButton::clicked, this, &CompensationDialog::chooseFile);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     retranslate();
+    const auto ofControl = formatsOfControl(m_evaluated.document->machine.controller).compensation;
+    if (const auto at = std::ranges::find(formats, ofControl); at != formats.end()) {
+        m_format->showChoice(static_cast<int>(at - formats.begin()), false);
+        compute();
+    }
 }
 
 Field *CompensationDialog::addChoice(const char *name) {
@@ -203,28 +209,44 @@ void CompensationDialog::compute() {
         const CompensationTable table = compensationTable(test, evaluation, kind, options);
         m_written = writeCompensation(table, kind, options);
         m_remarks = compensationRemarks(table, kind, options);
-        Surroundings surroundings;
-        surroundings.machine = &m_evaluated.document->machine;
-        const Edition *edition = parameter(evaluation, "M") ? nullptr : &defaultEdition(Kind::positioning);
-        m_before = evaluateTest(test, surroundings, edition);
-        m_after = evaluateTest(compensated(test, readCompensation(m_written, kind, options)), surroundings,
-                               edition);
-        if (m_compared) {
-            m_withCompared = evaluateTest(compensated(test, m_compared->table), surroundings, edition);
-            m_difference = largestDifference(m_compared->table, table);
-        }
+        CompensationTable read = readCompensation(m_written, kind, options);
+        read.motion = table.motion; // not stated in the files of some controls
+        predict(read);
     } catch (const Error &error) {
         m_written.clear();
         m_refusal = error;
+        try { // what any control could do, as long as this one misses something
+            predict(compensationTable(test, evaluation, CompensationFormat::csv,
+                                      optionsFor(CompensationFormat::csv)));
+        } catch (const Error &) {
+            m_after.reset(); // the refusal holds for every control
+        }
     }
     showPrediction();
+}
+
+/// What the test would be with the table applied, and with the one compared.
+void CompensationDialog::predict(const CompensationTable &table) {
+    const Test &test = *m_evaluated.document->tests[m_test];
+    Surroundings surroundings;
+    surroundings.machine = &m_evaluated.document->machine;
+    const Edition *edition =
+        parameter(*m_evaluated.tests[m_test], "M") ? nullptr : &defaultEdition(Kind::positioning);
+    m_before = evaluateTest(test, surroundings, edition);
+    m_after = evaluateTest(compensated(test, table), surroundings, edition);
+    if (!m_compared)
+        return;
+    m_withCompared = evaluateTest(compensated(test, m_compared->table), surroundings, edition);
+    m_difference = largestDifference(m_compared->table, table);
 }
 
 /// Notes on the table and on the one compared with it.
 QString CompensationDialog::notes() const {
     const Language &language = windowLanguage();
     QStringList lines{
-        tr("After %1, from the table as it is written.").arg(QString::fromUtf8(m_before->edition->word))};
+        (m_written.isEmpty() ? tr("After %1, from the means at the targets: this table is not complete.")
+                             : tr("After %1, from the table as it is written."))
+            .arg(QString::fromUtf8(m_before->edition->word))};
     for (const Message &remark : m_remarks)
         lines << language.sentence(remark);
     if (m_withCompared) {

@@ -56,6 +56,7 @@ private:
     [[nodiscard]] CompensationOptions optionsFor(CompensationFormat kind) const;
     [[nodiscard]] QString notes() const;
     void compute();
+    void predict(const CompensationTable &table);
     void showPrediction();
     void chooseFile();
     void chooseTable();

@@ -77,8 +77,9 @@ CycleView::CycleView(QWidget *parent)
     setMinimumSize(320, 180);
 }
 
-void CycleView::show(const CycleProgram &program) {
+void CycleView::show(const CycleProgram &program, const Overtravel &over) {
     m_program = program;
+    m_over = over;
     update();
 }
 
@@ -97,21 +98,31 @@ void CycleView::paintEvent(QPaintEvent *) {
     const double last = std::max(rows.back(), 1.0);
     const auto y = [&](double atRow) { return titleRoom + atRow / last * (height() - titleRoom - foot); };
 
+    const double top = titleRoom - 6;
+    const double bottom = height() - foot + 10;
+    const auto mark = [&](double from, double to) { // beyond the end of the axis
+        painter.fillRect(QRectF(QPointF(x(from), top), QPointF(x(to), bottom)),
+                         QBrush(token(Token::bad, palette()), Qt::BDiagPattern));
+    };
+    if (m_over.below > 0)
+        mark(lowest, lowest + m_over.below);
+    if (m_over.above > 0)
+        mark(ends.max.position - m_over.above, ends.max.position);
     painter.setFont(themeFont(TextSize::tiny));
     painter.setPen(QPen(token(Token::line, palette()), 1));
     for (const double target : m_program.targets)
-        painter.drawLine(QPointF(x(target), titleRoom - 6), QPointF(x(target), height() - foot + 10));
+        painter.drawLine(QPointF(x(target), top), QPointF(x(target), bottom));
     painter.setPen(token(Token::secondaryText, palette()));
     const Language &language = windowLanguage();
     const Quantity quantity = m_program.motion == Motion::linear ? Quantity::position : Quantity::angle;
     if (!m_program.targets.empty()) {
-        const QRectF top(0, 2, width(), titleRoom - 10);
-        painter.drawText(top.adjusted(side - 16, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+        const QRectF above(0, 2, width(), titleRoom - 10);
+        painter.drawText(above.adjusted(side - 16, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                          language.quantity(m_program.targets.front(), quantity, m_program.decimals));
-        painter.drawText(top.adjusted(0, 0, -(side - 16), 0), Qt::AlignRight | Qt::AlignVCenter,
+        painter.drawText(above.adjusted(0, 0, -(side - 16), 0), Qt::AlignRight | Qt::AlignVCenter,
                          language.quantity(m_program.targets.back(), quantity, m_program.decimals));
     }
-    drawAxis(painter, m_program, lowest, ends.max.position, height() - foot + 10, palette(), x);
+    drawAxis(painter, m_program, lowest, ends.max.position, bottom, palette(), x);
     for (std::size_t i = 1; i < path.size(); ++i) {
         painter.setPen(penOf(path[i], palette()));
         painter.drawLine(QPointF(x(path[i - 1].position), y(rows[i - 1])),

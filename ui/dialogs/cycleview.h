@@ -16,7 +16,8 @@ class CycleView : public QWidget {
 public:
     explicit CycleView(QWidget *parent = nullptr);
 
-    void show(const CycleProgram &program);
+    /// `over`: what of it lies beyond the axis, hatched in red.
+    void show(const CycleProgram &program, const Overtravel &over);
 
     [[nodiscard]] QSize sizeHint() const override { return {460, 300}; }
 
@@ -25,6 +26,7 @@ protected:
 
 private:
     CycleProgram m_program;
+    Overtravel m_over;
 };
 
 } // namespace palmer::ui

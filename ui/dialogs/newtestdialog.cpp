@@ -65,6 +65,7 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
     , m_list(made<TableText>("newTargets", this))
     , m_read(new PasteBar(this))
     , m_statements(new StatementsBox(this))
+    , m_why(made<QLabel>("newWhy", trait::secondary, trait::wrapped, trait::plainText, this))
     , m_problem(made<QLabel>("newProblem", trait::reason, trait::wrapped, trait::plainText, this)) {
     setObjectName(QStringLiteral("newTestDialog"));
     setWindowTitle(tr("New positioning test"));
@@ -135,6 +136,7 @@ void NewTestDialog::makeForm() {
     addRow(tr("&Last target"), m_last, m_units[2]);
     m_form->addRow(tr("&Number of targets"), m_count);
     addRow(tr("Target &positions"), m_list, m_units[3]);
+    m_form->addRow(QString(), m_why);
     alignLabels(*m_form);
 }
 
@@ -167,6 +169,7 @@ void NewTestDialog::connectFields() {
         m_answers.clear();
         m_listed = true;
         m_proposed = false;
+        m_why->hide();
         check();
     });
 }
@@ -242,6 +245,8 @@ void NewTestDialog::propose() {
     if (!m_runs->isModified() && !plan.targets.empty())
         m_runs->setText(QString::number(plan.runs));
     const auto count = whole(m_count, fewestTargets, mostTargets);
+    m_why->setText(whyOf(plan));
+    m_why->setVisible(!m_listed && !m_why->text().isEmpty());
     if (!m_listed && count) {
         std::vector<double> proposed = plan.targets;
         m_choice = {TargetChoiceKind::free, plan.interval, std::nullopt, static_cast<long long>(m_seed)};
@@ -256,6 +261,19 @@ void NewTestDialog::propose() {
         writeTargets(positions.join(QStringLiteral("; ")));
     }
     check();
+}
+
+/// Why a proposal does not end where it was asked to.
+QString NewTestDialog::whyOf(const TargetPlan &plan) const {
+    const auto last = number(m_last);
+    if (plan.targets.empty() || !plan.interval || !last || plan.targets.back() == *last)
+        return {};
+    const Quantity quantity = positionQuantity(axis());
+    return tr("The last target is %1, not %2: to every nominal position, each %3, a random part of up to ± %4 is "
+              "added so that periodic errors show, and no target may lie beyond the ends.")
+        .arg(m_language.quantity(plan.targets.back(), quantity), m_language.quantity(*last, quantity),
+             m_language.quantity(*plan.interval, quantity, decimals),
+             m_language.quantity(plan.randomPart, quantity, decimals));
 }
 
 /// Writes a proposal so that Ctrl+Z restores a typed list, whatever was proposed since.

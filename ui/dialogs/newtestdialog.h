@@ -59,6 +59,7 @@ private:
     void showRead();
     [[nodiscard]] TargetRequest request() const;
     [[nodiscard]] TargetPlan planned() const;
+    [[nodiscard]] QString whyOf(const TargetPlan &plan) const;
 
     Language m_language;
     bool m_proposed = false; ///< the list was proposed, not typed
@@ -79,6 +80,7 @@ private:
     PasteBar *m_read; ///< how a list that was pasted was understood
     ImportOptions m_answers;
     StatementsBox *m_statements;
+    QLabel *m_why; ///< where the last target lies, and why
     QLabel *m_problem;
     std::array<QLabel *, 4> m_units{};
     QFormLayout *m_form = nullptr;

@@ -3,9 +3,9 @@
 #include "ui/dialogs/plandialog.h"
 
 #include "document/edits.h"
-#include "document/plannedtest.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
+#include "export/controls.h"
 #include "kernel/evaluation/edition.h"
 #include "language/decimals.h"
 #include "language/entry.h"
@@ -36,7 +36,9 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <tuple>
 
 namespace palmer::ui {
@@ -102,7 +104,9 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     , m_edition(defaultEdition(Kind::positioning).word)
     , m_view(new CycleView(this))
     , m_summary(made<QLabel>("planSummary", trait::wrapped, this))
+    , m_overtravel(made<QLabel>("planOvertravel", trait::reason, trait::wrapped, trait::plainText, this))
     , m_targets(made<QLabel>("planTargets", trait::wrapped, this))
+    , m_anew(made<QPushButton>("planAnew", trait::notDefault, this))
     , m_reseed(made<QPushButton>("reseed", trait::notDefault, this))
     , m_fill(made<QPushButton>("fillTest", trait::notDefault, this))
     , m_make(made<QPushButton>("makeTest", trait::primary, trait::notDefault, this))
@@ -119,7 +123,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
 
     auto *fields = makeFields();
     m_targets->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto *right = inColumn(styleSpacing, {{m_view, 1}, m_summary, m_targets});
+    auto *right = inColumn(styleSpacing, {{m_view, 1}, m_summary, m_overtravel, m_targets});
     auto *place = new QScrollArea(this); // on low screens the fields are higher than the dialog
     trait::scrollsDown(*place);
     place->setWidget(fields);
@@ -128,13 +132,14 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
 
     auto *program = makeButtons();
     // A separate row, as both do not fit in one on small screens.
-    auto *decision = inRow(styleSpacing, {Placed::stretch(), m_fill, m_make, m_close});
+    auto *decision = inRow(styleSpacing, {m_anew, Placed::stretch(), m_fill, m_make, m_close});
     inColumn(this, {pageMargin, pageMargin, pageMargin, pageMargin}, 16,
              {{body, 1}, m_programReason, program, decision});
     connect(m_dialect, &QComboBox::currentIndexChanged, this, &PlanDialog::showWhyNoProgram);
     connect(m_saveProgram, &QPushButton::clicked, this, &PlanDialog::chooseProgramFile);
     connect(m_print, &QPushButton::clicked, this, &PlanDialog::choosePrinter);
     connect(m_savePlan, &QPushButton::clicked, this, &PlanDialog::choosePlanFile);
+    connect(m_anew, &QPushButton::clicked, this, &PlanDialog::planAnew);
     connect(m_fill, &QPushButton::clicked, this, &PlanDialog::fillTest);
     connect(m_make, &QPushButton::clicked, this, &PlanDialog::makeTest);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
@@ -248,8 +253,12 @@ QWidget *PlanDialog::makeFields() {
 
 /// Buttons for program, print and test.
 QHBoxLayout *PlanDialog::makeButtons() {
-    for (const DialectName &each : dialects())
+    const auto ofControl = formatsOfControl(m_model.document()->machine.controller).program;
+    for (const DialectName &each : dialects()) {
         m_dialect->addItem(QString::fromUtf8(each.name));
+        if (each.dialect == ofControl)
+            m_dialect->setCurrentIndex(m_dialect->count() - 1);
+    }
     m_saveProgram->setIcon(lineIcon(QStringLiteral("save")));
     m_print->setIcon(lineIcon(QStringLiteral("print")));
     m_savePlan->setIcon(lineIcon(QStringLiteral("pdf")));
@@ -281,7 +290,9 @@ Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
             set(enteredNumber(field->valueText(), quantity(), windowLanguage().units()).value);
         replan();
     });
-    m_entries.push_back({field, label, whole, std::move(quantity), std::move(get)});
+    constexpr std::array<std::string_view, 3> ofProgram{"feed", "dwell", "approach"};
+    m_entries.push_back({field, label, whole, std::move(quantity), std::move(get),
+                         std::ranges::find(ofProgram, name) != ofProgram.end()});
     return field;
 }
 
@@ -291,9 +302,30 @@ void PlanDialog::begin(std::size_t test) {
     const Test &shown = *m_model.document()->tests[test];
     m_edition = shown.edition;
     std::tie(m_request, m_program) = plannedFor(shown);
+    m_own = planOf(shown);
+    if (!m_own)
+        return;
+    m_request = m_own->planned.request;
+    m_program = m_own->program;
+}
+
+/// New targets for the axis of the test, instead of its own.
+void PlanDialog::planAnew() {
+    m_own.reset();
+    const std::tuple typed(m_program.feed, m_program.dwell, m_program.approach);
+    std::tie(m_request, m_program) = plannedFor(*m_model.document()->tests[m_test]);
+    std::tie(m_program.feed, m_program.dwell, m_program.approach) = typed;
+    ++m_request.seed; // that of the test would choose the same again
+    replan();
+    m_reseed->setFocus();
 }
 
 void PlanDialog::replan() {
+    if (m_own) {
+        m_plans = {m_own->planned};
+        m_plan = m_own->planned.plan;
+        return showFields();
+    }
     m_plans = planMeasurements(m_request);
     m_plan = m_plans.empty() ? TargetPlan() : m_plans.front().plan;
     m_program.motion = m_request.motion;
@@ -312,13 +344,23 @@ void PlanDialog::showFields() {
                                         : windowLanguage().number(*value, entry.quantity()),
                           false);
     }
+    for (const Entry &entry : m_entries)
+        entry.field->setEnabled(!m_own || entry.ofProgram);
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_axis, m_motion, m_rule, m_cycle, m_reseed})
+        widget->setEnabled(!m_own);
+    m_anew->setVisible(m_own.has_value());
+    for (QPushButton *button : {m_fill, m_make})
+        button->setVisible(!m_own);
     m_axis->show(QString::fromStdString(m_program.axis), false);
     m_motion->showChoice(m_request.motion == Motion::linear ? 0 : 1, false);
     m_rule->showChoice(m_request.rule == TargetRule::nominalInterval ? 0 : 1, false);
     m_cycle->showChoice(m_program.cycle == Cycle::standard ? 0 : 1, false);
     m_perMetre->setVisible(m_request.motion == Motion::linear);
-    m_view->show(m_program);
+    const auto over = m_plan.targets.empty() ? std::nullopt : overtravelText(m_program, m_request);
+    m_view->show(m_program, overtravelOf(m_program, m_request));
     m_summary->setText(summary());
+    m_overtravel->setText(over ? windowLanguage().sentence(*over) : QString());
+    m_overtravel->setVisible(over.has_value());
     const Quantity position = m_request.motion == Motion::linear ? Quantity::position : Quantity::angle;
     QStringList targets;
     constexpr std::size_t most = 60;
@@ -355,13 +397,14 @@ QString PlanDialog::summary() const {
         return tr("These numbers give no plan: too many targets, or too few decimals to tell them apart.");
     const Quantity position = m_request.motion == Motion::linear ? Quantity::position : Quantity::angle;
     const Language &language = windowLanguage();
-    const double low = turningPoint(m_program, m_program.targets.front(), Direction::positive);
-    const double high = turningPoint(m_program, m_program.targets.back(), Direction::negative);
+    const Interval moved = movedThrough(m_program);
     const QString random = language.quantity(m_plan.randomPart, position, 1);
-    const QString from = language.quantity(low, position, m_request.decimals);
-    const QString to = language.quantity(high, position, m_request.decimals);
+    const QString from = language.quantity(moved.from, position, m_request.decimals);
+    const QString to = language.quantity(moved.to, position, m_request.decimals);
     QString text = tr("%n target(s)", nullptr, static_cast<int>(m_plan.targets.size())) + u' ';
-    if (m_plan.interval)
+    if (m_own)
+        text += tr("of this test. The axis moves from %1 to %2.").arg(from, to);
+    else if (m_plan.interval)
         text += tr("at a nominal position + a random part: every %1, the random part at most %2. The "
                    "axis moves from %3 to %4.")
                     .arg(language.quantity(*m_plan.interval, position, 1), random, from, to);
@@ -377,10 +420,6 @@ QString PlanDialog::summary() const {
                      : tr("A long axis: once each way over the whole travel, and a full test of a zone "
                           "besides, planned from %1 to %2; the zone is to be agreed."))
                     .arg(language.quantity(zone->from, position), language.quantity(zone->to, position));
-    const auto *measurement = measured<PositioningMeasurement>(*m_model.document(), m_test);
-    if (measurement && measurement->axis.range &&
-        (low < measurement->axis.range->from || high > measurement->axis.range->to))
-        text += u' ' + tr("That is beyond the ends of the axis.");
     if (m_plan.boundOf2006)
         text += u' ' + tr("The random part follows ISO 230-2:2006: ISO 230-2:1988 has no rule for an unknown "
                           "or long cyclic pitch.");
@@ -532,6 +571,8 @@ void PlanDialog::retranslate() {
     m_print->setText(tr("P&rint…"));
     m_savePlan->setText(tr("Save P&DF…"));
     m_saveProgram->setText(tr("Part pro&gram…"));
+    m_anew->setText(tr("Plan new &targets"));
+    m_anew->setToolTip(tr("Chosen by the rule of the edition; the test keeps its own until they are put into it"));
     m_close->setText(tr("&Close"));
     m_dialect->setAccessibleName(tr("Control"));
     m_view->setAccessibleName(tr("Measuring cycle"));

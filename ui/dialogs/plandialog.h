@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/plannedtest.h"
 #include "export/partprogram.h"
 #include "kernel/planning/targetplan.h"
 #include "report/blocks/report.h"
@@ -18,9 +19,9 @@ namespace palmer::ui {
 class CycleView;
 class DocumentModel;
 
-/// "Plan…": targets of a positioning test chosen by the rule of an edition, with a diagram of the measuring
-/// cycle. The plan goes into the test or a new one, is printed with an empty table, or is written as a part
-/// program.
+/// "Plan…": the targets of a positioning test with a diagram of its measuring cycle, printed with an empty table
+/// or written as a part program. A test without targets, or a user who asks for new ones, gets targets chosen by
+/// the rule of an edition; they go into the test or a new one.
 class PlanDialog : public Translated<QDialog> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(PlanDialog)
@@ -55,6 +56,7 @@ private:
                      std::function<std::optional<double>()> get,
                      const std::function<QString(const std::optional<double> &)> &set);
     void begin(std::size_t test);
+    void planAnew();
     void replan();
     void showFields();
     void showWhyNoProgram();
@@ -76,6 +78,7 @@ private:
         bool whole = false;
         std::function<Quantity()> quantity;
         std::function<std::optional<double>()> get;
+        bool ofProgram = false; ///< says how the targets are moved to, not which they are
     };
 
     DocumentModel &m_model;
@@ -84,7 +87,8 @@ private:
     std::vector<PlannedMeasurement> m_plans; ///< of the travel and, for a long axis, of its zone
     TargetPlan m_plan;                       ///< of the travel
     CycleProgram m_program;
-    std::optional<int> m_runs; ///< chosen by the user; null: as the standard requires
+    std::optional<PlanOfTest> m_own; ///< of the test, as long as no new targets are asked for
+    std::optional<int> m_runs;       ///< chosen by the user; null: as the standard requires
     std::string m_edition;
 
     std::vector<Entry> m_entries;
@@ -95,7 +99,9 @@ private:
     Field *m_cycle = nullptr;
     CycleView *m_view = nullptr;
     QLabel *m_summary = nullptr;
+    QLabel *m_overtravel = nullptr;
     QLabel *m_targets = nullptr;
+    QPushButton *m_anew = nullptr;
     QPushButton *m_reseed = nullptr;
     QPushButton *m_fill = nullptr;
     QPushButton *m_make = nullptr;

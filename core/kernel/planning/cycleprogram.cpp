@@ -28,16 +28,40 @@ std::vector<Move> cyclePath(const CycleProgram &program) {
     std::vector<Move> path;
     std::optional<Direction> direction;
     std::size_t target = program.targets.size();
+    int run = -1;
     for (const Stop &stop : measuringCycle(program.targets.size(), program.runs, program.cycle)) {
+        if (program.only && stop.approach != *program.only)
+            continue;
         const double position = program.targets[stop.target];
         const bool newTarget = program.cycle == Cycle::step && stop.target != target;
-        if (direction != stop.approach || newTarget)
+        const bool isPassed = program.only && stop.run != run; // the axis stands at or beyond the target
+        if (direction != stop.approach || newTarget || isPassed)
             path.push_back({turningPoint(program, position, stop.approach), {}});
         path.push_back({position, stop});
         direction = stop.approach;
         target = stop.target;
+        run = stop.run;
     }
     return path;
+}
+
+Interval movedThrough(const CycleProgram &program) {
+    const std::vector<Move> path = cyclePath(program);
+    if (path.empty())
+        return {};
+    const auto [low, high] = std::ranges::minmax(path, {}, &Move::position);
+    return {low.position, high.position};
+}
+
+Overtravel overtravelOf(const CycleProgram &program, const TargetRequest &request) {
+    constexpr double turn = 360;
+    constexpr double rounding = 1e-9;
+    const auto over = [](double excess) { return excess > rounding ? excess : 0; };
+    const Interval moved = movedThrough(program);
+    if (request.axisRange)
+        return {over(request.axisRange->from - moved.from), over(moved.to - request.axisRange->to)};
+    const bool hasEnds = request.axisTravel && (request.motion == Motion::linear || *request.axisTravel < turn);
+    return {0, hasEnds ? over(moved.to - moved.from - *request.axisTravel) : 0};
 }
 
 } // namespace palmer

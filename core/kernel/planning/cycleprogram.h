@@ -21,6 +21,7 @@ struct CycleProgram {
     std::optional<double> feed; ///< mm/min or °/min; null: rapid
     double dwell = 5;           ///< s at each target, > 0: the instrument takes its reading during this time
     double approach = 1;        ///< overtravel before a target is approached, mm or degrees, > 0
+    std::optional<Direction> only = {}; ///< of a test of one direction; null: both
 };
 
 /// Returns `program` adapted to another plan of the same measurement: its targets and, for a zone, its runs.
@@ -39,5 +40,20 @@ struct Move {
 /// Returns all moves of the measuring cycle in chronological order. Before each reversal the axis goes to the
 /// turning point of the target, so that every target is reached from its own side.
 [[nodiscard]] std::vector<Move> cyclePath(const CycleProgram &program);
+
+/// Returns the lowest and the highest position of the cycle; both 0 without targets.
+[[nodiscard]] Interval movedThrough(const CycleProgram &program);
+
+/// How far a cycle moves beyond its axis, mm or degrees; 0: it does not, or the axis is not known.
+struct Overtravel {
+    double below = 0;
+    double above = 0;
+
+    [[nodiscard]] bool any() const { return below > 0 || above > 0; }
+};
+
+/// Compares the cycle with the ends of the axis as the request has them; without them with its travel: what is
+/// too much counts as above. A rotary axis of a full turn or more has no ends.
+[[nodiscard]] Overtravel overtravelOf(const CycleProgram &program, const TargetRequest &request);
 
 } // namespace palmer

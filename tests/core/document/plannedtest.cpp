@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/positioningcase.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <QTest>
 #include <cmath>
@@ -120,6 +121,39 @@ private slots:
         QVERIFY(turns.kind == TargetChoiceKind::free && !turns.interval && turns.seed == 1);
         request.rule = TargetRule::nominalInterval;
         QCOMPARE(choice(filledIn(request, *findEdition("ISO 230-2:2006"))).interval, std::optional(45.0));
+    }
+
+    /// Targets, runs, directions and cycle of a test, however they were chosen.
+    void aTestIsItsOwnPlan() {
+        QVERIFY(!planOf(Test()));
+        QVERIFY(!planOf(testOf(Kind::circular)));
+        Test test;
+        PositioningMeasurement measurement;
+        measurement.axis.name = "Y";
+        measurement.axis.travel = 500;
+        measurement.targets = {0.5, 120.12345, 480};
+        measurement.cycle = Cycle::step;
+        measurement.conditions.feed = 900;
+        const std::vector<std::optional<double>> nothing(3);
+        measurement.runs = {{Direction::negative, nothing}, {Direction::negative, nothing}};
+        test.measurement = measurement;
+        const auto plan = planOf(test);
+        QVERIFY(plan && plan->planned.plan.ofTest);
+        QCOMPARE(plan->program.targets, measurement.targets);
+        QCOMPARE(plan->program.decimals, 5);
+        QCOMPARE(plan->program.runs, 2);
+        QCOMPARE(plan->program.only, std::optional(Direction::negative));
+        QCOMPARE(plan->program.cycle, Cycle::step);
+        QCOMPARE(plan->program.feed, std::optional(900.0));
+        QCOMPARE(plan->program.axis, std::string("Y"));
+        QCOMPARE(plan->planned.request.axisTravel, std::optional(500.0));
+        measurement.runs.push_back({Direction::positive, nothing});
+        test.measurement = measurement;
+        QVERIFY(!planOf(test)->program.only);
+        QCOMPARE(planOf(test)->program.runs, 2);
+        measurement.runs.clear();
+        test.measurement = measurement;
+        QCOMPARE(planOf(test)->program.runs, 5); // as the standards ask
     }
 };
 

@@ -107,6 +107,8 @@ private slots:
         choose(dialog, "compensation.format", 1);
         QVERIFY(dialog.written().isEmpty()); // the reference point is owed
         QVERIFY(dialog.findChild<QLabel *>("compensationReason")->text().contains("reference point"));
+        QVERIFY(dialog.findChild<LineView *>()->isVisible()); // stays with every control
+        QCOMPARE(row(dialog, "M").value(1), QString("0.0\u00A0µm"));
         auto *reference = dialog.findChild<QLineEdit *>("compensation.reference");
         reference->setFocus();
         QTest::keyClicks(reference, "100");
@@ -131,6 +133,18 @@ private slots:
         choose(dialog, "compensation.sign", 1);
         QVERIFY(dialog.written() != corrections);
         QCOMPARE(row(dialog, "M").value(1), QString("0.0\u00A0µm")); // whatever the sign is written with
+    }
+
+    void beginsWithTheControlOfTheMachine() {
+        EvaluatedDocument of = small();
+        Document document = *of.document;
+        document.machine.controller = "Siemens SINUMERIK ONE";
+        CompensationDialog dialog(evaluate(std::make_shared<const Document>(document)), 0);
+        QCOMPARE(dialog.format(), CompensationFormat::siemens);
+        QVERIFY(dialog.findChild<QWidget *>("compensation.reference")->isEnabled());
+        document.machine.controller = "unknown";
+        QCOMPARE(CompensationDialog(evaluate(std::make_shared<const Document>(document)), 0).format(),
+                 CompensationFormat::linuxcnc);
     }
 
     /// Columns of both directions cannot be had of one.

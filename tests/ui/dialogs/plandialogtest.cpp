@@ -80,13 +80,15 @@ private slots:
         model.setDocument(readDocument(readBytes(":/examples/rotary-axis.palmer")), {});
         PlanDialog dialog(model, 0);
         dialog.show();
+        button(dialog, "planAnew")->click();
         const Interval ends =
             *std::get<PositioningMeasurement>(model.document()->tests[0]->measurement).axis.range;
         QVERIFY(dialog.plan().targets.front() - dialog.program().approach >= ends.from);
         QVERIFY(dialog.plan().targets.back() + dialog.program().approach <= ends.to);
         QCOMPARE(dialog.program().runs, 5); // no long axis
         const QString summary = dialog.findChild<QLabel *>("planSummary")->text();
-        QVERIFY2(!summary.contains("beyond the ends") && !summary.contains("long axis"), qPrintable(summary));
+        QVERIFY2(!summary.contains("long axis"), qPrintable(summary));
+        QVERIFY(!dialog.findChild<QLabel *>("planOvertravel")->isVisible());
         QVERIFY2(summary.contains("nominal position + a random part"), qPrintable(summary));
         // Targets per metre are of lengths.
         QVERIFY(!dialog.findChild<QLineEdit *>("plan.perMetre")->isVisible());
@@ -176,6 +178,7 @@ private slots:
         document.tests.push_back(std::make_shared<const Test>(example1988("ISO 230-2:1988")));
         model.setDocument(document, {});
         PlanDialog dialog(model, 0);
+        button(dialog, "planAnew")->click();
         QVERIFY(!button(dialog, "fillTest")->isEnabled());
         QSignalSpy made(&dialog, &PlanDialog::testMade);
         button(dialog, "makeTest")->click();
@@ -183,6 +186,41 @@ private slots:
         QCOMPARE(model.document()->tests.size(), std::size_t(2));
         QCOMPARE(model.document()->tests[0], document.tests[0]);
         QCOMPARE(model.document()->tests[1]->edition, std::string("ISO 230-2:1988"));
+    }
+
+    /// Its targets, sheet and program; others only when they are asked for, and red what the axis cannot reach.
+    void aTestWithTargetsIsItsOwnPlan() {
+        Document document;
+        Test test = example1988("ISO 230-2:1988");
+        auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+        measurement.axis.range.reset();
+        measurement.axis.travel = measurement.targets.back() - measurement.targets.front() + 1;
+        document.tests.push_back(std::make_shared<const Test>(test));
+        document.machine.controller = "Heidenhain TNC 640";
+        DocumentModel model;
+        model.setDocument(document, {});
+        PlanDialog dialog(model, 0);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        QCOMPARE(dialog.plan().targets, measurement.targets);
+        QCOMPARE(dialog.program().runs, 5);
+        const auto *over = dialog.findChild<QLabel *>("planOvertravel");
+        QVERIFY(over->isVisible() && over->text().contains("more than the travel"));
+        QVERIFY(!dialog.findChild<QLineEdit *>("plan.travel")->isEnabled());
+        QVERIFY(dialog.findChild<QLineEdit *>("plan.approach")->isEnabled());
+        QVERIFY(!button(dialog, "makeTest")->isVisible() && !button(dialog, "fillTest")->isVisible());
+        type(dialog, "plan.approach", "0.4");
+        QVERIFY(!over->isVisible());
+        const QTemporaryDir folder;
+        QVERIFY(dialog.saveProgram(folder.filePath("own.h"))); // the machine's control is chosen
+        QFile program(folder.filePath("own.h"));
+        QVERIFY(program.open(QIODevice::ReadOnly) && program.readAll().contains("BEGIN PGM"));
+        button(dialog, "planAnew")->click();
+        QVERIFY(dialog.plan().targets != measurement.targets);
+        QVERIFY(!button(dialog, "planAnew")->isVisible() && button(dialog, "makeTest")->isVisible());
+        QVERIFY(dialog.findChild<QLineEdit *>("plan.travel")->isEnabled());
+        QCOMPARE(dialog.program().approach, 0.4);
+        QVERIFY(*model.document() == document); // asking for new ones changes nothing yet
     }
 
     void otherTargetsComeFromAnotherSeed() {

@@ -172,6 +172,21 @@ private slots:
         QCOMPARE(dialog.wanted().targets, (std::vector<double>{0, 25.4, 50.8}));
     }
 
+    /// The random part keeps the last target before the end that was typed; a typed list has no such end.
+    void whyTheLastTargetIsNotTheOneTyped() {
+        NewTestDialog dialog{Language(Language::Id::english)};
+        dialog.show();
+        auto *last = dialog.findChild<QLineEdit *>("newLast");
+        last->selectAll();
+        QTest::keyClicks(last, "900");
+        const auto *why = dialog.findChild<QLabel *>("newWhy");
+        QVERIFY(why->isVisible() && dialog.wanted().targets.back() < 900);
+        const QString text = why->text().replace(QChar(0xA0), ' ');
+        QVERIFY2(text.contains("not 900 mm") && text.contains("random part"), qPrintable(text));
+        dialog.findChild<QPlainTextEdit *>("newTargets")->setPlainText("0; 450; 900");
+        QVERIFY(!why->isVisible());
+    }
+
     /// What another first target has replaced comes back by one step.
     void aTypedListComesBack() {
         NewTestDialog dialog{Language(Language::Id::english)};

@@ -71,6 +71,55 @@ private slots:
         QVERIFY((path[7].stop == Stop{0, 1, Direction::negative}));
         QVERIFY((path[9].stop == Stop{1, 0, Direction::positive}));
     }
+
+    /// Back beyond the first target before every run, and never beyond the last.
+    void aTestOfOneDirectionReturnsBeforeEachRun() {
+        CycleProgram program;
+        program.targets = {0, 100};
+        program.runs = 2;
+        program.only = Direction::positive;
+        QCOMPARE(written(cyclePath(program)), QByteArray("-1 [0] [100] -1 [0] [100]"));
+        QVERIFY((movedThrough(program) == Interval{-1, 100}));
+        program.only = Direction::negative;
+        QCOMPARE(written(cyclePath(program)), QByteArray("101 [100] [0] 101 [100] [0]"));
+        program.cycle = Cycle::step;
+        program.only = Direction::positive;
+        QCOMPARE(written(cyclePath(program)), QByteArray("-1 [0] -1 [0] 99 [100] 99 [100]"));
+    }
+
+    void whatLiesBeyondTheAxis_data() {
+        QTest::addColumn<TargetRequest>("request");
+        QTest::addColumn<double>("below");
+        QTest::addColumn<double>("above");
+        const auto row = [](const char *name, Motion motion, std::optional<double> travel,
+                            std::optional<Interval> range, double below, double above) {
+            TargetRequest request;
+            request.motion = motion;
+            request.axisTravel = travel;
+            request.axisRange = range;
+            QTest::newRow(name) << request << below << above;
+        };
+        row("an axis of which nothing is known", Motion::linear, {}, {}, 0, 0);
+        row("ends that leave the room", Motion::linear, {}, Interval{-1, 101}, 0, 0);
+        row("below", Motion::linear, {}, Interval{0, 101}, 1, 0);
+        row("above", Motion::linear, 500, Interval{-5, 100.5}, 0, 0.5);
+        row("only the travel, long enough", Motion::linear, 102, {}, 0, 0);
+        row("only the travel, too short", Motion::linear, 101.5, {}, 0, 0.5);
+        row("a table that turns without end", Motion::rotary, 360, {}, 0, 0);
+        row("a table that does not", Motion::rotary, 90, {}, 0, 12);
+    }
+
+    void whatLiesBeyondTheAxis() {
+        QFETCH(const TargetRequest, request);
+        CycleProgram program;
+        program.motion = request.motion;
+        program.targets = {0, 100};
+        const Overtravel over = overtravelOf(program, request);
+        QTEST(over.below, "below");
+        QTEST(over.above, "above");
+        program.targets.clear();
+        QVERIFY(!overtravelOf(program, request).any());
+    }
 };
 
 QTEST_APPLESS_MAIN(CycleProgramTest)
