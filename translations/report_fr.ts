@@ -9952,19 +9952,19 @@
     </message>
     <message>
         <source>The two tests are of different kinds: they are not compared.</source>
-        <translation>Les deux essais sont de nature différente : ils ne sont pas comparés.</translation>
+        <translation>Les deux essais sont de nature différente&#xa0;: ils ne sont pas comparés.</translation>
     </message>
     <message>
         <source>The two tests are of different axes or planes: they are not compared.</source>
-        <translation>Les deux essais portent sur des axes ou des plans différents : ils ne sont pas comparés.</translation>
+        <translation>Les deux essais portent sur des axes ou des plans différents&#xa0;: ils ne sont pas comparés.</translation>
     </message>
     <message>
         <source>The two tests were made in different directions: they are not compared.</source>
-        <translation>Les deux essais ont été faits dans des sens différents : ils ne sont pas comparés.</translation>
+        <translation>Les deux essais ont été faits dans des sens différents&#xa0;: ils ne sont pas comparés.</translation>
     </message>
     <message>
         <source>The two circles differ in radius or signal: they are not compared.</source>
-        <translation>Les deux cercles diffèrent par le rayon ou le signal : ils ne sont pas comparés.</translation>
+        <translation>Les deux cercles diffèrent par le rayon ou le signal&#xa0;: ils ne sont pas comparés.</translation>
     </message>
     <message>
         <source>Tests without an edition have no results to be compared.</source>
@@ -9972,23 +9972,23 @@
     </message>
     <message>
         <source>Both laboratories used the same instrument: its error is in both results, and E_n would not see it.</source>
-        <translation>Les deux laboratoires ont utilisé le même instrument : son erreur est dans les deux résultats et E_n ne la verrait pas.</translation>
+        <translation>Les deux laboratoires ont utilisé le même instrument&#xa0;: son erreur est dans les deux résultats et E_n ne la verrait pas.</translation>
     </message>
     <message>
         <source>Fewer than 5 common targets: nothing is said of the parameters.</source>
-        <translation>Moins de 5 points visés communs : rien n’est dit des grandeurs.</translation>
+        <translation>Moins de 5 points visés communs&#xa0;: rien n’est dit des grandeurs.</translation>
     </message>
     <message>
         <source>One cycle alone shows no repeatability: nothing is said of a change.</source>
-        <translation>Un seul cycle ne montre aucune répétabilité : rien n’est dit d’un changement.</translation>
+        <translation>Un seul cycle ne montre aucune répétabilité&#xa0;: rien n’est dit d’un changement.</translation>
     </message>
     <message>
         <source>The repeatability of the circles is not known: nothing is said of a change.</source>
-        <translation>La répétabilité des cercles n’est pas connue : rien n’est dit d’un changement.</translation>
+        <translation>La répétabilité des cercles n’est pas connue&#xa0;: rien n’est dit d’un changement.</translation>
     </message>
     <message>
         <source>No uncertainty is known in both tests: nothing is said of a change.</source>
-        <translation>Aucune incertitude n’est connue dans les deux essais : rien n’est dit d’un changement.</translation>
+        <translation>Aucune incertitude n’est connue dans les deux essais&#xa0;: rien n’est dit d’un changement.</translation>
     </message>
     <message>
         <source>the instrument</source>
@@ -10081,7 +10081,7 @@
     </message>
     <message>
         <source>Difference of two results of the standard; the comparison itself is an interpretation, not a result of it.</source>
-        <translation>Différence de deux résultats de la norme ; la comparaison elle-même est une interprétation et non un résultat de celle-ci.</translation>
+        <translation>Différence de deux résultats de la norme&#x202f;; la comparaison elle-même est une interprétation et non un résultat de celle-ci.</translation>
     </message>
     <message>
         <source>Differences of the conditions</source>
@@ -10093,11 +10093,11 @@
     </message>
     <message>
         <source>Agreed tolerance t of a change: %1.</source>
-        <translation>Tolérance t convenue pour un changement : %1.</translation>
+        <translation>Tolérance t convenue pour un changement&#xa0;: %1.</translation>
     </message>
     <message>
         <source>%1 common targets; the first %2 cycles of each test</source>
-        <translation>%1 points visés communs ; les %2 premiers cycles de chaque essai</translation>
+        <translation>%1 points visés communs&#x202f;; les %2 premiers cycles de chaque essai</translation>
     </message>
     <message>
         <source>Differences of the parameters</source>
@@ -10105,7 +10105,7 @@
     </message>
     <message>
         <source>U of the difference: one simulation of both tests, %1 trials, 95.45 %; whole cycles drawn anew.</source>
-        <translation>U de la différence : une simulation des deux essais, %1 tirages, 95,45 % ; cycles entiers tirés à nouveau.</translation>
+        <translation>U de la différence&#xa0;: une simulation des deux essais, %1 tirages, 95,45&#xa0;%&#x202f;; cycles entiers tirés à nouveau.</translation>
     </message>
     <message>
         <source>No error of measurement is known to be shared.</source>
@@ -10113,19 +10113,19 @@
     </message>
     <message>
         <source>Shared by both tests: %1; all other errors are those of each.</source>
-        <translation>Commun aux deux essais : %1 ; toutes les autres erreurs sont propres à chacun.</translation>
+        <translation>Commun aux deux essais&#xa0;: %1&#x202f;; toutes les autres erreurs sont propres à chacun.</translation>
     </message>
     <message>
         <source>U of the difference: root of the sum of the squares of both U and of the repeatability; nothing shared is known.</source>
-        <translation>U de la différence : racine de la somme des carrés des deux U et de la répétabilité ; rien de commun n’est connu.</translation>
+        <translation>U de la différence&#xa0;: racine de la somme des carrés des deux U et de la répétabilité&#x202f;; rien de commun n’est connu.</translation>
     </message>
     <message>
         <source>“Changed” where the difference exceeds its U, always between these two sessions. Of A, E, M, R and B together about 12 % of unchanged pairs show one changed.</source>
-        <translation>« Changé » lorsque la différence dépasse son U, toujours entre ces deux séances. Parmi A, E, M, R et B réunis, environ 12 % des couples inchangés en montrent un changé.</translation>
+        <translation>«&#xa0;Changé&#xa0;» lorsque la différence dépasse son U, toujours entre ces deux séances. Parmi A, E, M, R et B réunis, environ 12&#xa0;% des couples inchangés en montrent un changé.</translation>
     </message>
     <message>
         <source>between targets of the first test: linear; less the mean of all</source>
-        <translation>entre les points visés du premier essai : linéaire ; moins la moyenne de tous</translation>
+        <translation>entre les points visés du premier essai&#xa0;: linéaire&#x202f;; moins la moyenne de tous</translation>
     </message>
     <message>
         <source>at the common targets, less the mean of all</source>
@@ -10137,7 +10137,7 @@
     </message>
     <message>
         <source>As found and as left, before and after, two machines, two laboratories: two tests of one axis or plane are compared at their common targets, with as many cycles as both have. Everything else that differs is listed above the result. It is an interpretation, no result of the standard.</source>
-        <translation>État initial et état final, avant et après, deux machines, deux laboratoires : deux essais d’un axe ou d’un plan sont comparés à leurs points visés communs, avec autant de cycles qu’en ont les deux. Tout ce qui diffère par ailleurs est énuméré au-dessus du résultat. C’est une interprétation, non un résultat de la norme.</translation>
+        <translation>État initial et état final, avant et après, deux machines, deux laboratoires&#xa0;: deux essais d’un axe ou d’un plan sont comparés à leurs points visés communs, avec autant de cycles qu’en ont les deux. Tout ce qui diffère par ailleurs est énuméré au-dessus du résultat. C’est une interprétation, non un résultat de la norme.</translation>
     </message>
     <message>
         <source>U of the difference</source>
@@ -10153,23 +10153,23 @@
     </message>
     <message>
         <source>“Changed” where the difference exceeds its U, between these two sessions; else “no change proven”. With an agreed tolerance: unchanged within it, changed by more, or not proven. Laboratories are judged by E_n.</source>
-        <translation>« Changé » lorsque la différence dépasse son U, entre ces deux séances ; sinon « aucun changement prouvé ». Avec une tolérance convenue : inchangé à celle-ci près, changé de plus, ou non prouvé. Les laboratoires sont jugés par E_n.</translation>
+        <translation>«&#xa0;Changé&#xa0;» lorsque la différence dépasse son U, entre ces deux séances&#x202f;; sinon «&#xa0;aucun changement prouvé&#xa0;». Avec une tolérance convenue&#xa0;: inchangé à celle-ci près, changé de plus, ou non prouvé. Les laboratoires sont jugés par E_n.</translation>
     </message>
     <message>
         <source>which test of A, and of B, from 1; without it the first of A that has its like in B</source>
-        <translation>quel essai de A, et de B, à partir de 1 ; sinon le premier de A qui a son pareil dans B</translation>
+        <translation>quel essai de A, et de B, à partir de 1&#x202f;; sinon le premier de A qui a son pareil dans B</translation>
     </message>
     <message>
         <source>two laboratories measured one machine: E_n, only α of the machine is shared</source>
-        <translation>deux laboratoires ont mesuré une même machine : E_n, seul α de la machine est commun</translation>
+        <translation>deux laboratoires ont mesuré une même machine&#xa0;: E_n, seul α de la machine est commun</translation>
     </message>
     <message>
         <source>agreed tolerance of a change, µm (rotary: arc seconds): unchanged within it</source>
-        <translation>tolérance convenue pour un changement, µm (rotatif : secondes d’arc) : inchangé à celle-ci près</translation>
+        <translation>tolérance convenue pour un changement, µm (rotatif&#xa0;: secondes d’arc)&#xa0;: inchangé à celle-ci près</translation>
     </message>
     <message>
         <source>the instrument stood as it had been aligned: the misalignment is shared</source>
-        <translation>l’instrument est resté tel qu’aligné : le défaut d’alignement est commun</translation>
+        <translation>l’instrument est resté tel qu’aligné&#xa0;: le défaut d’alignement est commun</translation>
     </message>
     <message>
         <source>the comparison as JSON</source>
@@ -10177,15 +10177,56 @@
     </message>
     <message>
         <source>no test of the first file has its like in the second: same axis or plane, directions and radius; --test names two</source>
-        <translation>aucun essai du premier fichier n’a son pareil dans le second : même axe ou plan, mêmes sens et rayon ; --test en nomme deux</translation>
-    </message>
-    <message>
-        <source>the command %1 takes two files</source>
-        <translation>la commande %1 attend deux fichiers</translation>
+        <translation>aucun essai du premier fichier n’a son pareil dans le second&#xa0;: même axe ou plan, mêmes sens et rayon&#x202f;; --test en nomme deux</translation>
     </message>
     <message>
         <source>what has changed from test A to test B: differences with their uncertainty</source>
-        <translation>ce qui a changé de l’essai A à l’essai B : différences avec leur incertitude</translation>
+        <translation>ce qui a changé de l’essai A à l’essai B&#xa0;: différences avec leur incertitude</translation>
+    </message>
+    <message>
+        <source>expected the id of another test of this file, no drift test; “%1” is none</source>
+        <translation>l’identifiant d’un autre essai de ce fichier est attendu, sans essai de dérive ; « %1 » n’en est pas un</translation>
+    </message>
+    <message>
+        <source>Diff. ± U</source>
+        <translation>Diff. ± U</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <comment>on two tests</comment>
+        <translation>Décision</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parameters</source>
+        <translation>%1 grandeurs sur %2</translation>
+    </message>
+    <message>
+        <source>Different</source>
+        <translation>Différent</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Changé</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3, difference %4 ± %5</source>
+        <translation>%1 : %2 → %3, différence %4 ± %5</translation>
+    </message>
+    <message>
+        <source>Alike: %1.</source>
+        <translation>Identiques : %1.</translation>
+    </message>
+    <message>
+        <source>Stated: the instrument stood as it had been aligned for the other test.</source>
+        <translation>Déclaré : l’instrument est resté tel qu’aligné pour l’autre essai.</translation>
+    </message>
+    <message>
+        <source>no test of the file states what it is compared with (“comparedWith”); --test names two</source>
+        <translation>aucun essai du fichier ne déclare à quoi il est comparé (« comparedWith ») ; --test en nomme deux</translation>
+    </message>
+    <message>
+        <source>the command %1 takes one or two files</source>
+        <translation>la commande %1 attend un ou deux fichiers</translation>
     </message>
     <message>
         <source>That is beyond the ends of the axis, %1 and %2.</source>

@@ -119,6 +119,16 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::ComparisonSide</name>
+    <message numerus="yes">
+        <source>%n common target(s)</source>
+        <translation>
+            <numerusform>%n common target</numerusform>
+            <numerusform>%n common targets</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::FilterBar</name>
     <message numerus="yes">
         <source>%1 of %2 test(s)</source>

@@ -335,6 +335,10 @@
         <source>remove rows</source>
         <translation>suppression de lignes</translation>
     </message>
+    <message>
+        <source>choose the test to compare with</source>
+        <translation>choisir l’essai de comparaison</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -2974,6 +2978,10 @@
         <source>%1 (read-only)</source>
         <translation>%1 (lecture seule)</translation>
     </message>
+    <message>
+        <source>Co&amp;mparison</source>
+        <translation>Co&amp;mparaison</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NavigationList</name>
@@ -5401,6 +5409,10 @@ est la même machine que&#xa0;:</translation>
         <source>runs: %1 ↑, %2 ↓</source>
         <translation>passes&#xa0;: %1 ↑, %2 ↓</translation>
     </message>
+    <message>
+        <source>C&amp;omparison</source>
+        <translation>C&amp;omparaison</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ZoomButtons</name>
@@ -5483,6 +5495,96 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>Nothing was checked beside the tests yet. Type into the empty row, or paste a table with number, object, tolerance, measured value, U and unit.</source>
         <translation>Rien n’a encore été contrôlé en plus des essais. Saisir dans la ligne vide, ou coller un tableau avec numéro, objet, tolérance, valeur mesurée, U et unité.</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ComparisonPage</name>
+    <message>
+        <source>Another file…</source>
+        <translation>Un autre fichier…</translation>
+    </message>
+    <message>
+        <source>Agreed tolerance, %1</source>
+        <translation>Tolérance convenue, %1</translation>
+    </message>
+    <message>
+        <source>%1 has no test like this one</source>
+        <translation>%1 n’a pas d’essai comparable à celui-ci</translation>
+    </message>
+    <message>
+        <source>A comparison needs the same axis or plane, directions and radius.</source>
+        <translation>Une comparaison demande le même axe ou plan, les mêmes sens et le même rayon.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened</source>
+        <translation>%1 ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>Compare with the test of a file</source>
+        <translation>Comparer à l’essai d’un fichier</translation>
+    </message>
+    <message>
+        <source>Tests and measurements (%1)</source>
+        <translation>Essais et mesures (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Choose the test to compare with: of this file, such as the one as found or that before a repair, or of another file. The report then has a page of the comparison.</source>
+        <translation>Choisissez l’essai de comparaison : un essai de ce fichier, comme l’état initial ou l’essai avant réparation, ou celui d’un autre fichier. Le rapport a alors une page de comparaison.</translation>
+    </message>
+    <message>
+        <source>A test of another file is not part of the report.</source>
+        <translation>L’essai d’un autre fichier n’entre pas dans le rapport.</translation>
+    </message>
+    <message>
+        <source>Compared with</source>
+        <translation>Comparé à</translation>
+    </message>
+    <message>
+        <source>before − after</source>
+        <translation>avant − après</translation>
+    </message>
+    <message>
+        <source>set-up untouched</source>
+        <translation>montage inchangé</translation>
+    </message>
+    <message>
+        <source>The instrument stood as it had been aligned for the other test: its misalignment is shared</source>
+        <translation>L’instrument est resté tel qu’aligné pour l’autre essai : son désalignement est commun</translation>
+    </message>
+    <message>
+        <source>Up to this a change is of no consequence; empty: none was agreed</source>
+        <translation>Jusqu’à cette valeur un changement est sans conséquence ; vide : aucune convenue</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Copier le tableau pour un tableur</translation>
+    </message>
+    <message>
+        <source>no test</source>
+        <comment>to compare with</comment>
+        <translation>aucun essai</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ComparisonSide</name>
+    <message>
+        <source>Both tests</source>
+        <translation>Les deux essais</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n common target(s)</source>
+        <translation>
+            <numerusform>%n point commun</numerusform>
+            <numerusform>%n points communs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Uncertainty of the difference</source>
+        <translation>Incertitude de la différence</translation>
     </message>
 </context>
 </TS>

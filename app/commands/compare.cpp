@@ -10,7 +10,7 @@
 #include "export/comparisonjson.h"
 #include "kernel/measurement/testfacts.h"
 #include "report/blocks/plaintext.h"
-#include "report/comparedtests.h"
+#include "report/parts/comparedtests.h"
 
 #include <algorithm>
 
@@ -71,20 +71,41 @@ std::pair<std::size_t, std::size_t> pairOf(const Invocation &invocation, const E
          {}});
 }
 
+/// The first test that the file compares with another one, and how.
+std::pair<std::size_t, std::size_t> statedPair(const EvaluatedDocument &file, ComparisonOptions &options) {
+    for (std::size_t i = 0; i < file.tests.size(); ++i) {
+        const auto &stated = file.document->tests[i]->comparedWith;
+        if (!stated)
+            continue;
+        options.tolerance = stated->tolerance;
+        options.setUpUntouched = stated->setUpUntouched;
+        const auto other =
+            std::ranges::find(file.document->tests, stated->test, [](const TestPointer &t) { return t->id; });
+        return {static_cast<std::size_t>(other - file.document->tests.begin()), i};
+    }
+    throw UsageError({REPORT_TEXT("report", "no test of the file states what it is compared with "
+                                            "(“comparedWith”); --test names two"),
+                      {}});
+}
+
 bool isDifference(const ComparedParameter &parameter) {
-    return parameter.word == ChangeWord::changed || parameter.word == ChangeWord::better ||
-           parameter.word == ChangeWord::worse || parameter.word == ChangeWord::changedByMore ||
-           parameter.word == ChangeWord::disagree;
+    return parameter.word && statesDifference(*parameter.word);
 }
 
 int runCompare(const Invocation &invocation) {
-    if (invocation.arguments.size() != 2)
-        throw UsageError({REPORT_TEXT("report", "the command %1 takes two files"), {std::string("compare")}});
+    if (invocation.arguments.isEmpty() || invocation.arguments.size() > 2)
+        throw UsageError(
+            {REPORT_TEXT("report", "the command %1 takes one or two files"), {std::string("compare")}});
     const QString &fileA = invocation.arguments.front();
     const QString &fileB = invocation.arguments.back();
+    const bool alone = invocation.arguments.size() == 1;
     std::optional<EvaluatedDocument> a;
     std::optional<EvaluatedDocument> b;
     for (const auto &[file, place] : {std::pair{&fileA, &a}, std::pair{&fileB, &b}}) {
+        if (alone && place == &b) {
+            b = a;
+            break;
+        }
         const int code = codeOf(*file, invocation.language, [&, file = file, place = place]() -> int {
             *place = evaluatedFrom(*file, invocation);
             return *place ? done : cannotRead;
@@ -92,13 +113,14 @@ int runCompare(const Invocation &invocation) {
         if (code != done)
             return code;
     }
-    const auto [i, j] = pairOf(invocation, *a, *b);
+    ComparisonOptions options;
+    const auto [i, j] =
+        alone && !invocation.has("test") ? statedPair(*a, options) : pairOf(invocation, *a, *b);
     const PlacedTest before{&*a, i};
     const PlacedTest after{&*b, j};
-    ComparisonOptions options;
     if (invocation.has("laboratories"))
         options.role = ComparisonRole::laboratories;
-    options.setUpUntouched = invocation.has("set-up-untouched");
+    options.setUpUntouched = options.setUpUntouched || invocation.has("set-up-untouched");
     if (const auto given = invocation.value("tolerance"))
         options.tolerance = numberBetween("tolerance", *given, 0, 1e6) /
                             unitScale(deviationQuantity(after.test()), DisplayUnits());
@@ -117,7 +139,7 @@ int runCompare(const Invocation &invocation) {
 
 Command compareCommand() {
     return {
-        "compare", "A B",
+        "compare", "A [B]",
         REPORT_TEXT("report", "what has changed from test A to test B: differences with their uncertainty"),
         compareOptions, runCompare};
 }

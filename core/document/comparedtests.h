@@ -6,6 +6,7 @@
 #include "document/filewords.h"
 #include "kernel/comparison/comparetests.h"
 
+#include <memory>
 #include <optional>
 
 namespace palmer {
@@ -25,6 +26,17 @@ struct PlacedTest {
 /// Compares two tests, of one document or of two.
 [[nodiscard]] TestComparison compare(const PlacedTest &before, const PlacedTest &after,
                                      const ComparisonOptions &options = {});
+
+/// The comparison that a test states (`comparedWith`): the other test, how, and what comes out. Computed once
+/// for a document; may be called from any thread.
+struct StatedComparison {
+    std::size_t other = 0; ///< the test before
+    ComparisonOptions options;
+    TestComparison comparison;
+};
+/// Null if the test states none.
+[[nodiscard]] std::shared_ptr<const StatedComparison> statedComparison(const EvaluatedDocument &evaluated,
+                                                                       std::size_t test);
 
 /// Returns the first judged test of `others` that is comparable with this one: same kind, axis or plane,
 /// directions and radius. Null: none.

@@ -386,6 +386,13 @@ void fields(Visit &visit, T &declared) {
     visit("text", declared.text, longText);
 }
 
+template <class Visit, Like<ComparedWith> T>
+void fields(Visit &visit, T &compared) {
+    visit("test", compared.test, obligatory);
+    visit("tolerance", compared.tolerance, positive);
+    visit("setUpUntouched", compared.setUpUntouched);
+}
+
 template <class Visit, Like<Arc> T>
 void fields(Visit &visit, T &arc) {
     visit("sense", arc.sense, obligatory);
@@ -452,6 +459,7 @@ void fields(Visit &visit, T &test) {
         visit("purpose", test.purpose, added);
         visit("role", test.role, added);
         visit("declaredAccordance", test.declaredAccordance, added);
+        visit("comparedWith", test.comparedWith, latest);
         visit("agreedPoints", test.agreedPoints);
         visit("limits", test.limits);
         visit("decisionRule", test.decisionRule);

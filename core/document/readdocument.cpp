@@ -288,6 +288,13 @@ void check(const Document &document, const Place &place) {
                 refuseAt(Place(atNames, k),
                          REPORT_TEXT("report", "expected the id of an instrument of this file; “%1” is none"),
                          {excerpt(test.instruments[k])});
+        if (const auto &compared = test.comparedWith;
+            compared &&
+            (compared->test == test.id || drifts.contains(compared->test) || !tests.contains(compared->test)))
+            refuseAt(Place(Place(atTest, "comparedWith"), "test"),
+                     REPORT_TEXT("report", "expected the id of another test of this file, no drift test; "
+                                           "“%1” is none"),
+                     {excerpt(compared->test)});
         const std::string *drift = driftTestOf(test);
         const Place atUncertainty(atTest, "uncertainty");
         if (drift && !drifts.contains(*drift))

@@ -50,6 +50,7 @@ void copyDriftRange(const Document &document, Test &test) {
     constexpr double micrometres = 1000;
     constexpr double arcSeconds = 3600;
     const double unit = motionOf(test) == Motion::linear ? micrometres : arcSeconds;
+    test.comparedWith.reset(); // likewise
     withUncertainty(test, [&](auto &inputs) {
         inputs.driftTest.reset();
         if (range && !inputs.environmentalVariation)

@@ -134,10 +134,15 @@ void removeTest(Document &document, std::size_t index) {
     document.tests.erase(document.tests.begin() + static_cast<std::ptrdiff_t>(index));
     for (auto &other : document.tests) {
         const std::string *named = driftTestOf(*other);
-        if (id.empty() || !named || *named != id)
+        const bool isDrift = named && *named == id;
+        const bool isCompared = other->comparedWith && other->comparedWith->test == id;
+        if (id.empty() || (!isDrift && !isCompared))
             continue;
         auto test = std::make_shared<Test>(*other);
-        withUncertainty(*test, [](auto &inputs) { inputs.driftTest.reset(); });
+        if (isDrift)
+            withUncertainty(*test, [](auto &inputs) { inputs.driftTest.reset(); });
+        if (isCompared)
+            test->comparedWith.reset();
         other = std::move(test);
     }
 }

@@ -5,7 +5,7 @@
 #include "document/json.h"
 #include "document/resultwords.h"
 #include "kernel/measurement/testfacts.h"
-#include "report/comparedtests.h"
+#include "report/parts/comparedtests.h"
 
 #include <nlohmann/json.hpp>
 
@@ -70,7 +70,7 @@ QByteArray comparisonJson(const TestComparison &comparison, const PlacedTest &be
                           {"difference", listOf(curve.values)},
                           {"band", listOf(curve.band)}});
     Json conditions = Json::array();
-    for (const DifferingCondition &row : differingConditions(before, after, language))
+    for (const DifferingCondition &row : compareConditions(before, after, language).differing)
         conditions.push_back(
             {{"name", row.name.toStdString()},
              {"before", row.before.isEmpty() ? Json(nullptr) : Json(row.before.toStdString())},

@@ -6,6 +6,7 @@
 #include "document/edits.h"
 #include "document/filename.h"
 #include "document/filewords.h"
+#include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/sha256.h"
 #include "document/testfile.h"
@@ -326,6 +327,22 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
         conditions->sensors.insert(conditions->sensors.end(), imported.sensors.begin(),
                                    imported.sensors.end());
     document.tests.push_back(std::make_shared<const Test>(std::move(test)));
+}
+
+Document readTests(const QString &path, std::vector<Message> &guesses) {
+    const QByteArray bytes = readBytes(path);
+    if (isTestFile(bytes, path))
+        return readDocument(bytes);
+    Imported imported = importMeasurement(bytes, path);
+    for (const Remark &remark : imported.remarks) {
+        if (remark.grade != RemarkGrade::note)
+            guesses.push_back(remark.message);
+    }
+    for (const Question &question : imported.questions)
+        guesses.push_back(question.sentence);
+    Document document;
+    addImported(document, std::move(imported), bytes, path, false);
+    return document;
 }
 
 } // namespace palmer

@@ -32,4 +32,8 @@ namespace palmer {
 void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
                  bool keepBytes, const std::string &hash = {});
 
+/// The tests of a test file, or the one of a measurement file; its assumptions are appended to `guesses`.
+/// Throws Error.
+[[nodiscard]] Document readTests(const QString &path, std::vector<Message> &guesses);
+
 } // namespace palmer

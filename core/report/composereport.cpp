@@ -233,6 +233,7 @@ void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts, co
         blocks.insert(blocks.begin() + static_cast<std::ptrdiff_t>(first), heading.begin(), heading.end());
         printed.leaveOutRepeated(blocks, first, part);
     }
+    addStatedComparisons(blocks, parts);
     thinFigures(blocks, 0);
     blocks.emplace_back(RunningHead{QString::fromStdString(head.laboratory.name), reportTitle(write, head)});
 }

@@ -37,6 +37,7 @@ class CompareCommandTest : public QObject {
 
 private slots:
     void saysWhatHasChanged();
+    void aFileStatesWhatItCompares();
     void printsItInBothLanguages();
     void itsJsonIsThatOfItsSchema();
     void findsTheLikeInTheOtherFile();
@@ -57,6 +58,11 @@ void CompareCommandTest::saysWhatHasChanged() {
     const QJsonObject agreed = jsonOf({"--test", "1", "--tolerance", "20"});
     QCOMPARE(agreed["tolerance"].toDouble(), 0.02);
     QCOMPARE(parameter(agreed, "B")["word"].toString(), "unchangedWithin");
+}
+
+void CompareCommandTest::aFileStatesWhatItCompares() {
+    const QJsonObject stated = QJsonDocument::fromJson(runCli({"compare", both, "--json"}).out).object();
+    QCOMPARE(stated, jsonOf({"--test", "1,2"}));
 }
 
 void CompareCommandTest::printsItInBothLanguages() {
@@ -104,7 +110,8 @@ void CompareCommandTest::findsTheLikeInTheOtherFile() {
 }
 
 void CompareCommandTest::refusesWhatCannotBeMeant() {
-    QCOMPARE(runCli({"compare", both}).code, 2);
+    QCOMPARE(runCli({"compare"}).code, 2);
+    QCOMPARE(runCli({"compare", EXAMPLES "rotary-axis.palmer"}).code, 2); // states no other test
     QCOMPARE(runCli({"compare", both, both, both}).code, 2);
     QCOMPARE(runCli({"compare", both, both, "--test", "1,3"}).code, 2);
     QCOMPARE(runCli({"compare", both, both, "--test", "x"}).code, 2);

@@ -72,6 +72,7 @@ constexpr Layer layers[]{
     {"ui/drift", "kernel document language editing ui ui/model"},
     {"ui/circles", "kernel document language tables import editing figures print ui ui/model ui/forms"},
     {"ui/uncertainty", "kernel language figures editing report ui ui/model ui/forms ui/figures"},
+    {"ui/comparison", "kernel document language import figures report print ui ui/model ui/figures"},
     {"ui/diagnosis", "kernel document language figures report print ui ui/model ui/figures"},
     {"ui/proof", "proof ui"},
     {"ui/help", "kernel document report validation print ui ui/model"},
@@ -84,7 +85,7 @@ constexpr Layer layers[]{
                     "ui/dialogs"},
     {"ui/window",
      "kernel document language import figures editing report export print ui ui/model ui/figures "
-     "ui/forms ui/results ui/readings ui/drift ui/circles ui/uncertainty ui/diagnosis ui/proof "
+     "ui/forms ui/results ui/readings ui/drift ui/circles ui/uncertainty ui/comparison ui/diagnosis ui/proof "
      "ui/help ui/navigation ui/welcome ui/import ui/dialogs ui/register"},
     {"app", "kernel document language import validation export figures editing report proof register print "
             "ui ui/model ui/window commandline commands formats"},

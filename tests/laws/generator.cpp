@@ -12,12 +12,12 @@ namespace palmer::laws {
 namespace {
 
 /// Made by code, or tied to other fields of the file.
-const std::set<std::string> made{"kind",          "id",       "instruments", "targets",    "runs",
-                                 "excluded",      "arcs",     "times",       "deviations", "zone",
-                                 "logo",          "mark",     "data",        "series",     "extensions",
-                                 "limits",        "expanded", "driftTest",   "imports",    "editions",
-                                 "languages",     "format",   "version",     "tests",      "agreedPoints",
-                                 "nominalRadius", "trials",   "seed",        "method",     "plane"};
+const std::set<std::string> made{
+    "kind",       "id",         "instruments", "targets",      "runs",          "excluded", "arcs",
+    "times",      "deviations", "zone",        "logo",         "mark",          "data",     "series",
+    "extensions", "limits",     "expanded",    "driftTest",    "imports",       "editions", "languages",
+    "format",     "version",    "tests",       "agreedPoints", "nominalRadius", "trials",   "seed",
+    "method",     "plane",      "comparedWith"};
 
 /// Exempt from the law of silence: what is measured and what is asked, and what only shapes the report.
 /// `motion` and `source` say what was measured, `role` which tests the verdict rests on.
@@ -32,7 +32,8 @@ const std::set<std::string> exempt{"targets",      "runs",
                                    "report",       "imports",
                                    "extensions",   "standardDeviation",
                                    "centring",     "referenceCircle",
-                                   "plane",        "role"};
+                                   "plane",        "role",
+                                   "comparedWith"};
 
 /// How large numbers are, by key; the schema has no such facts.
 struct Size {
@@ -357,6 +358,13 @@ Json Generator::file() {
         Json test = kind < 0.6 ? positioning() : kind < 0.95 ? circular() : drift();
         test["id"] = "t" + std::to_string(i + 1);
         file["tests"].push_back(std::move(test));
+    }
+    for (int i = 1; i < count; ++i) {
+        if (file["tests"][0]["kind"] == "drift" || file["tests"][i]["kind"] == "drift" || chance(0.5))
+            continue;
+        file["tests"][i]["comparedWith"] = {{"test", "t1"}, {"setUpUntouched", chance(0.3)}};
+        if (chance(0.5))
+            file["tests"][i]["comparedWith"]["tolerance"] = rounded(0.001 + between(0, 0.01), 4);
     }
     if (chance(0.8)) {
         Json instrument = value(m_schema.at("$defs").at("instrument"), "instrument");

@@ -38,8 +38,10 @@ struct Surroundings {
     std::optional<std::string> reportDate;    ///< YYYY-MM-DD, like the two below
     std::optional<std::string> performedFrom; ///< when the tests of the report were made
     std::optional<std::string> performedTo;
-    std::optional<StatedHead> accredited;         ///< null: the laboratory states no accreditation
-    std::optional<double> environmentalVariation; ///< range of the named drift test, mm or degrees
+    std::optional<StatedHead> accredited; ///< null: the laboratory states no accreditation
+    /// Largest range of the named drift test within the duration of the test, mm or degrees.
+    std::optional<double> environmentalVariation;
+    bool variationIsLowerBound = false;           ///< its record is shorter than the test or has a long gap
     std::shared_ptr<const Simulation> simulation; ///< run for the test; null: none
     bool simulationOutdated = false;              ///< the test was edited since
 };

@@ -59,6 +59,15 @@ struct DeclaredAccordance {
     bool operator==(const DeclaredAccordance &) const = default;
 };
 
+/// An earlier test of the file that a test is compared with, see comparetests.h.
+struct ComparedWith {
+    std::string test;                     ///< its id
+    std::optional<double> tolerance = {}; ///< agreed for a change, mm or degrees
+    bool setUpUntouched = false;          ///< the instrument stood as it had been aligned
+
+    bool operator==(const ComparedWith &) const = default;
+};
+
 /// In the order of the alternatives of Test::measurement.
 enum class Kind { positioning, circular, drift };
 inline constexpr std::array allKinds{Kind::positioning, Kind::circular, Kind::drift};
@@ -75,6 +84,8 @@ struct Test {
     Purpose purpose = Purpose::notStated;
     TestRole role = TestRole::notStated;
     DeclaredAccordance declaredAccordance;
+    std::optional<double> duration; ///< min
+    std::optional<ComparedWith> comparedWith;
     std::vector<AgreedPoint> agreedPoints;
     Limits limits;
     DecisionRule decisionRule;

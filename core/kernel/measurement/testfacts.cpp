@@ -26,7 +26,8 @@ std::size_t countReadings(const CircularMeasurement &measurement) {
 }
 
 std::size_t countReadings(const DriftMeasurement &measurement) {
-    return measurement.times.size();
+    const std::size_t series = measurement.channels.size() + measurement.temperatures.size();
+    return measurement.times.size() * std::max<std::size_t>(series, 1);
 }
 
 bool isIncomplete(const PositioningMeasurement &measurement) {
@@ -116,11 +117,29 @@ const std::string *driftTestOf(const Test &test) {
     return id;
 }
 
+std::vector<DriftChannel> channelsOf(const DriftMeasurement &measurement) {
+    if (!measurement.channels.empty() || measurement.deviations.empty())
+        return measurement.channels;
+    return {{measurement.axis.name,
+             measurement.axis.motion == Motion::linear ? ChannelQuantity::deviation
+                                                       : ChannelQuantity::angularDeviation,
+             {measurement.deviations.begin(), measurement.deviations.end()}}};
+}
+
 std::optional<double> rangeOf(const DriftMeasurement &measurement) {
-    if (measurement.deviations.empty())
+    const std::vector<DriftChannel> channels = channelsOf(measurement);
+    if (channels.empty())
         return std::nullopt;
-    const auto [low, high] = std::ranges::minmax(measurement.deviations);
-    return high - low;
+    auto channel = std::ranges::find(channels, measurement.axis.name, &DriftChannel::name);
+    if (channel == channels.end())
+        channel = channels.begin();
+    std::optional<Interval> range;
+    for (const std::optional<double> &value : channel->values) {
+        if (value)
+            range = range ? Interval{std::min(range->from, *value), std::max(range->to, *value)}
+                          : Interval{*value, *value};
+    }
+    return range ? std::optional(range->to - range->from) : std::nullopt;
 }
 
 std::optional<double> rangeAtRest(const Test &test) {

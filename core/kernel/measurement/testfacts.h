@@ -81,8 +81,11 @@ void withUncertainty(AnyTest &test, Use use) {
 /// Returns the id of the drift test that gives E_VE; null if none is named.
 [[nodiscard]] const std::string *driftTestOf(const Test &test);
 
-/// Returns E_VE, the environmental variation error: largest − smallest deviation at rest, mm or degrees; null
-/// without readings and for tests of another kind.
+/// Returns the channels of a drift test; `deviations` are one with the name of the axis.
+[[nodiscard]] std::vector<DriftChannel> channelsOf(const DriftMeasurement &measurement);
+
+/// Returns E_VE of the whole record: largest − smallest deviation at rest of the channel named as the axis
+/// or, if none is, of the first, mm or degrees; null without readings and for tests of another kind.
 [[nodiscard]] std::optional<double> rangeOf(const DriftMeasurement &measurement);
 [[nodiscard]] std::optional<double> rangeAtRest(const Test &test);
 

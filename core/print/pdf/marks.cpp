@@ -117,6 +117,29 @@ void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard, co
     drawDiamond(painter, {x(guard.value), middle}, ink);
 }
 
+void drawWhisker(QPainter &painter, QPointF topLeft, const Whisker &whisker, const QColor &ink,
+                 const QColor &ground) {
+    constexpr double cap = 0.7 * mm;
+    constexpr double point = 0.85 * mm;
+    const double middle = topLeft.y() + guardPictureHeight * mm / 2;
+    const double perUnit = (guardPictureWidth * mm - 2 * point) / (whisker.to - whisker.from);
+    const auto at = [&](double value, double up = 0) {
+        return QPointF(topLeft.x() + point +
+                           (std::clamp(value, whisker.from, whisker.to) - whisker.from) * perUnit,
+                       middle + up);
+    };
+    drawLimit(painter, at(0), QColor(0x88, 0x88, 0x88));
+    painter.setPen(line(0.18, ink));
+    const double low = whisker.value - whisker.half;
+    const double high = whisker.value + whisker.half;
+    painter.drawLine(at(low), at(high));
+    for (const double end : {low, high})
+        painter.drawLine(at(end, -cap), at(end, cap));
+    painter.setPen(line(0.25, ink));
+    painter.setBrush(whisker.open ? QBrush(ground) : QBrush(ink));
+    painter.drawEllipse(at(whisker.value), point - 0.1 * mm, point - 0.1 * mm);
+}
+
 void drawBar(QPainter &painter, QPointF left, double length, bool hollow) {
     if (length > 0) {
         const QPen outline = line(hollowOutline, barColour);

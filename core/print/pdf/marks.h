@@ -23,6 +23,10 @@ constexpr double guardPictureHeight = 3.1; ///< mm
 /// The limit is at 60 % of the width in every picture; values outside are drawn at the end.
 void drawGuardPicture(QPainter &painter, QPointF topLeft, const Guard &guard, const QColor &ink = Qt::black);
 
+/// The picture of a difference, as large.
+void drawWhisker(QPainter &painter, QPointF topLeft, const Whisker &whisker, const QColor &ink = Qt::black,
+                 const QColor &ground = Qt::white);
+
 /// Draws a bar of a table from its zero line, filled or as an outline; `left` is the middle of that line,
 /// `length` in points.
 void drawBar(QPainter &painter, QPointF left, double length, bool hollow = false);

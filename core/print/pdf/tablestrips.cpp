@@ -159,6 +159,7 @@ struct PrintedRow {
         bool hollow = false;
         QColor ink = Qt::black;
         std::size_t line = 0;
+        std::optional<Whisker> whisker = {};
     };
     std::vector<PlacedText> texts; ///< by column
     std::vector<Sign> signs;
@@ -209,6 +210,10 @@ void addCell(PrintedRow &row, const Cell &cell, const Column &column, const Plac
         row.signs.push_back({Mark::none, cell.guard, place.left, {}, false, ink});
         return;
     }
+    if (cell.whisker) {
+        row.signs.push_back({Mark::none, {}, place.left, {}, false, ink, 0, cell.whisker});
+        return;
+    }
     if (cell.bar) {
         row.signs.push_back(
             {Mark::none, {}, place.left, std::clamp(*cell.bar, 0.0, 1.0) * place.width, cell.hollow});
@@ -254,6 +259,9 @@ void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
         const double middle = at.y() + (static_cast<double>(sign.line) + 0.5) * lineHeight;
         if (sign.bar)
             drawBar(painter, {at.x() + sign.x, middle}, *sign.bar, sign.hollow);
+        else if (sign.whisker)
+            drawWhisker(painter, {at.x() + sign.x, middle - guardPictureHeight * mm / 2}, *sign.whisker,
+                        sign.ink);
         else if (sign.guard)
             drawGuardPicture(painter, {at.x() + sign.x, middle - guardPictureHeight * mm / 2}, *sign.guard,
                              sign.ink);

@@ -25,7 +25,8 @@ Mark markOf(Grade grade) {
 }
 
 bool Cell::isMissing() const {
-    return !blank && mark == Mark::none && !guard && !bar && text.plain().isEmpty() && notes.empty();
+    return !blank && mark == Mark::none && !guard && !whisker && !bar && text.plain().isEmpty() &&
+           notes.empty();
 }
 
 Cell blankCell() {

@@ -69,6 +69,17 @@ struct Guard {
     bool operator==(const Guard &) const = default;
 };
 
+/// The picture of a difference: value with its ± as a whisker on an axis common to a table, a line at 0.
+struct Whisker {
+    double from = -1; ///< ends of the axis, around 0
+    double to = 1;
+    double value = 0;
+    double half = 0;   ///< ±
+    bool open = false; ///< draw only the outline of the point
+
+    bool operator==(const Whisker &) const = default;
+};
+
 /// A small line below the text of a cell.
 struct CellNote {
     QString text;
@@ -84,6 +95,7 @@ struct Cell {
     bool blank = false;     ///< prints nothing, not even a dash
     Mark mark = Mark::none; ///< before the text
     std::optional<Guard> guard = {};
+    std::optional<Whisker> whisker = {};
     std::optional<double> bar = {}; ///< a bar from the left, fraction of the column width, 0 … 1
     bool hollow = false;            ///< draw only the outline of the bar
     bool pale = false;              ///< grey, including mark and picture: for information only

@@ -3,6 +3,7 @@
 #include "report/parts/parts.h"
 
 #include "language/decimals.h"
+#include "report/parts/comparedtests.h"
 #include "report/words/wording.h"
 
 #include <algorithm>
@@ -252,6 +253,27 @@ TestHead sheetHead(const Writer &write, const EvaluatedDocument &evaluated,
     rows.add(REPORT_TEXT("report", "Condition"), document.machine.condition);
     rows.add(REPORT_TEXT("report", "Order"), document.report.order);
     head.right = rows.take();
+    return head;
+}
+
+TestHead comparisonHead(const TestPart &after, const TestPart &before) {
+    const Writer &write = after.write;
+    TestHead head = letterHead(write, after.head());
+    head.title = write.text(REPORT_TEXT("report", "Comparison of two tests"));
+    head.subtitle = titleAndEdition(after);
+    head.editionTitle = write.text(comparisonNature());
+    const auto named = [&](const TestPart &part) {
+        return joined({write.say(REPORT_TEXT("report", "Test %1"), {wholeNumber(part.number)}),
+                       QString::fromStdString(part.test.title), dateOfTest(part)});
+    };
+    LabelledRows left(write, {{}, leftLabels});
+    left.add(REPORT_TEXT("report", "Machine"), machineText(after.document().machine));
+    left.add(REPORT_TEXT("report", "Serial number"), after.document().machine.serialNumber);
+    head.left = left.take();
+    LabelledRows right(write, {{}, rightLabels});
+    right.add(REPORT_TEXT_FOR("report", "before", "of two tests"), named(before));
+    right.add(REPORT_TEXT_FOR("report", "after", "of two tests"), named(after));
+    head.right = right.take();
     return head;
 }
 

@@ -55,6 +55,9 @@ struct SheetWords {
 [[nodiscard]] Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart> &parts,
                                const Writer &write);
 
+/// The head of the page that compares a test with another one.
+[[nodiscard]] TestHead comparisonHead(const TestPart &after, const TestPart &before);
+
 /// "16 of 18 rows met", and which are not.
 [[nodiscard]] VerdictStatement sheetStatement(const EvaluatedDocument &evaluated, const Writer &write);
 
@@ -265,6 +268,10 @@ void addLimitsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &p
 
 /// Adds the results of tests as found and as left, with the same axis or plane and edition, side by side.
 void addBeforeAndAfter(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
+
+/// Adds a page per test that states what it is compared with: the decision, differing conditions, parameters
+/// and mean deviations.
+void addStatedComparisons(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
 /// Adds the remarks of the report and of its tests.
 void addRemarksOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts);

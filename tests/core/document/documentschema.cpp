@@ -67,6 +67,9 @@ QByteArray completeFileOf(int version) {
                       {"G2", "parallelism", {-0.01, 0.02}, -0.002, 0.003, "mm", "", "", "", "", {}},
                       {"P1", "A of X", {}, {}, {}, "", "", "", "", "no X", SheetSource{"x1", "A"}}};
         head.decisionRule = {Rule::iso14253_1, 0.83};
+        editTest(document, 0, [&](Test &test) {
+            test.comparedWith = ComparedWith{document.tests[1]->id, 0.002, true};
+        });
         document.instruments[0].traceability = {"Institute", "2-0001", "C-2"};
     }
     return writeDocument(document);
@@ -87,6 +90,8 @@ const std::map<std::string, const char *> beyondSchema{
     {"expected the id of an instrument of this file; “%1” is none",
      "ids that are not unique or name nothing"},
     {"expected the id of a drift test of this file; “%1” is none", "ids that are not unique or name nothing"},
+    {"expected the id of another test of this file, no drift test; “%1” is none",
+     "ids that are not unique or name nothing"},
 };
 
 constexpr const char *inVersion3 = "expected the least value before the largest";

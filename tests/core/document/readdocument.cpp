@@ -533,6 +533,10 @@ private slots:
         row("drift test that is a positioning test",
             positioningFile(noReadings + R"(, "id": "x", "uncertainty": {"driftTest": "x"})"), content,
             "tests[0].uncertainty.driftTest", "expected the id of a drift test of this file; “%1” is none");
+        row("compared with itself",
+            positioningFile(noReadings + R"(, "id": "x", "comparedWith": {"test": "x"})"), content,
+            "tests[0].comparedWith.test",
+            "expected the id of another test of this file, no drift test; “%1” is none");
     }
     /// A word that the sentence names can be written.
     void wordsThatAreNamedAreTaken() {

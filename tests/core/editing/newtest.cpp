@@ -156,6 +156,17 @@ private slots:
         QCOMPARE(document.tests.size(), std::size_t{1});
         QVERIFY(readDocument(writeDocument(document)) == document);
     }
+
+    void removesWhatComparesWithTheTest() {
+        Document document;
+        Test before = newTest(wanted());
+        before.id = "before";
+        Test after = newTest(wanted());
+        after.comparedWith = ComparedWith{"before"};
+        document.tests = {std::make_shared<const Test>(before), std::make_shared<const Test>(after)};
+        removeTest(document, 0);
+        QVERIFY(!document.tests.at(0)->comparedWith);
+    }
 };
 
 QTEST_GUILESS_MAIN(NewTestTest)

@@ -1,0 +1,450 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/comparedtests.h"
+
+#include "figures/differencefigure.h"
+#include "language/rounding.h"
+#include "report/parts/parts.h"
+#include "report/tables/resulttable.h"
+#include "report/words/printednumbers.h"
+#include "report/words/wording.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+Text refusalText(NotComparable why) {
+    return inOrder(
+        why,
+        {REPORT_TEXT("report", "The two tests are of different kinds: they are not compared."),
+         REPORT_TEXT("report", "The two tests are of different axes or planes: they are not compared."),
+         REPORT_TEXT("report", "The two tests were made in different directions: they are not compared."),
+         REPORT_TEXT("report", "The two circles differ in radius or signal: they are not compared."),
+         REPORT_TEXT("report", "Tests without an edition have no results to be compared."),
+         REPORT_TEXT("report",
+                     "Both laboratories used the same instrument: its error is in both results, and "
+                     "E_n would not see it.")});
+}
+
+Text gapText(NoWord why) {
+    return inOrder(
+        why,
+        {REPORT_TEXT("report", "Fewer than 5 common targets: nothing is said of the parameters."),
+         REPORT_TEXT("report", "One cycle alone shows no repeatability: nothing is said of a change."),
+         REPORT_TEXT("report", "The repeatability of the circles is not known: nothing is said of a change."),
+         REPORT_TEXT("report", "No uncertainty is known in both tests: nothing is said of a change.")});
+}
+
+Text sharedText(SharedError error) {
+    return inOrder(error, {REPORT_TEXT_FOR("report", "the instrument", "shared error"),
+                           REPORT_TEXT_FOR("report", "temperature sensors of the machine", "shared error"),
+                           REPORT_TEXT_FOR("report", "α of the machine", "shared error"),
+                           REPORT_TEXT_FOR("report", "temperature sensors of the instrument", "shared error"),
+                           REPORT_TEXT_FOR("report", "α of the instrument", "shared error"),
+                           REPORT_TEXT_FOR("report", "misalignment", "shared error")});
+}
+
+Table parameterTable(const TestComparison &comparison, const PlacedTest &before, const PlacedTest &after,
+                     const Writer &write) {
+    constexpr double symbolColumn = 11; // mm, like all widths here
+    constexpr double numberColumn = 17;
+    constexpr double pictureColumn = 19;
+    constexpr double wordColumn = 32;
+    constexpr double least = 36;
+    const QString unit = write.language().unit(comparison.quantity);
+    const auto [first, second] = sideTexts(before, after);
+    Table table;
+    table.columns = {
+        columnOf(QString(), symbolColumn),
+        flexibleColumn(QString(), least),
+        write.column(first, numberColumn, Alignment::decimal, unit),
+        write.column(second, numberColumn, Alignment::decimal, unit),
+        write.column(REPORT_TEXT("report", "Difference"), numberColumn, Alignment::decimal, unit),
+        write.column(REPORT_TEXT("report", "U (95.45 %)"), numberColumn, Alignment::decimal, unit),
+        columnOf(Phrase({{QStringLiteral("E")}, {QStringLiteral("n"), true}}), numberColumn - 5,
+                 Alignment::decimal),
+        write.column(REPORT_TEXT("report", "Diff. ± U"), pictureColumn),
+        write.column(REPORT_TEXT("report", "Statement"), wordColumn)};
+    table.columns[7].gapBefore = 3;
+    const std::vector<ComparedWords> words = comparedWords(comparison, write.language());
+    const char *family = nullptr;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const ComparedParameter &parameter = comparison.parameters[i];
+        if (family && std::string_view(family) != parameter.term.family)
+            table.rulesAfter.push_back(table.rows.size() - 1);
+        family = parameter.term.family;
+        const ComparedWords &row = words[i];
+        Cell word(row.word);
+        if (parameter.word) {
+            word.mark = markOf(*parameter.word);
+            word.bold = statesDifference(*parameter.word);
+        }
+        Cell picture = blankCell();
+        if (row.picture) {
+            picture.blank = false;
+            picture.whisker = row.picture;
+        }
+        table.rows.push_back({boldCell(row.symbol), row.name, row.before, row.after, boldCell(row.difference),
+                              row.uncertainty, row.enRatio, picture, word});
+    }
+    if (std::ranges::all_of(words, [](const ComparedWords &row) { return row.enRatio.isEmpty(); })) {
+        table.columns.erase(table.columns.begin() + 6);
+        for (auto &row : table.rows)
+            row.erase(row.begin() + 6);
+    }
+    return table;
+}
+
+QString dateOf(const PlacedTest &placed, const Writer &write) {
+    const Test &test = placed.test();
+    return joined({dateText(write, test.date), QString::fromStdString(test.time.value_or(""))});
+}
+
+QString instrumentsOf(const PlacedTest &placed) {
+    QStringList names;
+    for (const Instrument &instrument : placed.evaluated->document->instruments) {
+        if (std::ranges::find(placed.test().instruments, instrument.id) != placed.test().instruments.end())
+            names << joined({QString::fromStdString(instrument.description.empty() ? instrument.model
+                                                                                   : instrument.description),
+                             QString::fromStdString(instrument.serialNumber),
+                             QString::fromStdString(instrument.certificate)});
+    }
+    return names.join(QStringLiteral("\n"));
+}
+
+/// What is said of a test beside its readings, in the order of the report.
+std::vector<KeyValue> statedRows(const PlacedTest &placed, const Writer &write) {
+    const Test &test = placed.test();
+    const Document &document = *placed.evaluated->document;
+    LabelledRows rows(write);
+    rows.add(REPORT_TEXT("report", "Test"),
+             joined({QString::fromStdString(document.report.number), QString::fromStdString(test.title)}));
+    rows.add(REPORT_TEXT("report", "Date of test"), dateOf(placed, write));
+    rows.add(REPORT_TEXT("report", "Machine"),
+             joined({QString::fromStdString(document.machine.name),
+                     QString::fromStdString(document.machine.serialNumber)}));
+    rows.add(REPORT_TEXT("report", "Edition"), test.edition);
+    rows.add(REPORT_TEXT("report", "Role"), write.text(roleText(test.role)));
+    rows.add(REPORT_TEXT("report", "Instruments"), instrumentsOf(placed));
+    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
+        const auto up = std::ranges::count(m->runs, Direction::positive, &Run::approach);
+        const auto down = std::ranges::count(m->runs, Direction::negative, &Run::approach);
+        rows.add(REPORT_TEXT("report", "Target positions"),
+                 write.language().number(static_cast<double>(m->targets.size()), Quantity::count, 0));
+        rows.add(REPORT_TEXT("report", "Runs"), QStringLiteral("%1 ↑, %2 ↓").arg(up).arg(down));
+        rows.add(REPORT_TEXT("report", "Correction to 20 °C"),
+                 write.text(correctionText(m->conditions.common.correctionTo20)));
+        if (placed.evaluation().edition)
+            rows.add(REPORT_TEXT("report", "Cycle"),
+                     write.text(cycleText(m->cycle, *placed.evaluation().edition)));
+    }
+    std::vector<KeyValue> all = rows.take().rows;
+    if (placed.evaluation().edition) {
+        const TestPart part{write, *placed.evaluated, test, placed.evaluation(), placed.index};
+        std::vector<KeyValue> conditions = conditionRows(part).rows;
+        if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement)) {
+            const KeyValues own = parameterRows({part, *circle, resultsOf(*circle, placed.evaluation())});
+            conditions.insert(conditions.begin(), own.rows.begin(), own.rows.end());
+        }
+        std::ranges::copy(conditions, std::back_inserter(all));
+    }
+    for (const SensorMeasures what :
+         {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air}) {
+        const Conditions *conditions = conditionsOf(test);
+        if (!conditions)
+            continue;
+        const Temperatures of = temperaturesOf(*conditions, what);
+        const auto number = [&](std::optional<double> value) {
+            return write.quantity(value, Quantity::temperature, temperatureDecimals);
+        };
+        all.push_back({write.say(REPORT_TEXT("report", "%1: %2"),
+                                 {REPORT_TEXT("report", "Temperature"), sensorText(what)}),
+                       joined({number(of.start), number(of.end)}, QStringLiteral(" … "))});
+    }
+    return all;
+}
+
+} // namespace
+
+Text changeText(ChangeWord word) {
+    return inOrder(
+        word, {REPORT_TEXT("report", "no change proven"), REPORT_TEXT_FOR("report", "changed", "a value"),
+               REPORT_TEXT("report", "changed, better"), REPORT_TEXT("report", "changed, worse"),
+               REPORT_TEXT("report", "unchanged within t"), REPORT_TEXT("report", "changed by more than t"),
+               REPORT_TEXT("report", "not proven"), REPORT_TEXT("report", "the results agree"),
+               REPORT_TEXT("report", "the results disagree")});
+}
+
+Mark markOf(ChangeWord word) {
+    return inOrder(word, {Mark::openCircle, Mark::warning, Mark::check, Mark::cross, Mark::check, Mark::cross,
+                          Mark::openCircle, Mark::check, Mark::cross});
+}
+
+bool statesDifference(ChangeWord word) {
+    return inOrder(word, {false, true, true, true, false, true, false, false, true});
+}
+
+std::optional<ChangeWord> wordOfAll(const TestComparison &comparison) {
+    const auto says = [&](ChangeWord word) {
+        return std::ranges::any_of(comparison.parameters,
+                                   [&](const ComparedParameter &p) { return p.word == word; });
+    };
+    const bool better = says(ChangeWord::better);
+    const bool worse = says(ChangeWord::worse);
+    if (better && worse)
+        return ChangeWord::changed;
+    // What one parameter shows holds for the test; the weaker statements only if all make them.
+    for (const ChangeWord word :
+         {ChangeWord::better, ChangeWord::worse, ChangeWord::changed, ChangeWord::changedByMore,
+          ChangeWord::disagree, ChangeWord::notProven, ChangeWord::noChangeProven,
+          ChangeWord::unchangedWithin, ChangeWord::agree}) {
+        if (says(word))
+            return word;
+    }
+    return std::nullopt;
+}
+
+VerdictLine decisionLine(const TestComparison &comparison, const Language &language) {
+    const Writer write(language);
+    VerdictLine line;
+    const auto word = wordOfAll(comparison);
+    if (!word)
+        return line;
+    line.mark = markOf(*word);
+    line.label = write.text(REPORT_TEXT_FOR("report", "Decision", "on two tests"));
+    line.word = write.text(changeText(*word)).toUpper();
+    const std::vector<ComparedWords> words = comparedWords(comparison, language);
+    std::size_t said = 0;
+    std::size_t changed = 0;
+    std::optional<std::size_t> first;
+    QStringList others;
+    std::optional<ChangeWord> other;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto &own = comparison.parameters[i].word;
+        if (!own)
+            continue;
+        ++said;
+        if (statesDifference(*own)) {
+            ++changed;
+            first = first.value_or(i);
+        } else {
+            others << words[i].symbol.plain();
+            other = other && *other != *own ? ChangeWord::notProven : *own;
+        }
+    }
+    const auto share = [&](std::size_t count) {
+        return write.say(REPORT_TEXT("report", "%1 of %2 parameters"),
+                         {wholeNumber(count), wholeNumber(said)});
+    };
+    const bool ofLaboratories = std::ranges::any_of(
+        comparison.parameters, [](const ComparedParameter &p) { return p.enRatio.has_value(); });
+    line.limits.label =
+        write.text(ofLaboratories ? REPORT_TEXT("report", "Different") : REPORT_TEXT("report", "Changed"));
+    line.limits.state = share(changed);
+    if (first) {
+        const ComparedWords &shown = words[*first];
+        line.limits.text =
+            write.say(REPORT_TEXT("report", "%1: %2 → %3, difference %4 ± %5"),
+                      {shown.symbol.plain().toStdString(), shown.before.toStdString(),
+                       shown.after.toStdString(), shown.difference.toStdString(),
+                       (shown.uncertainty + u' ' + language.unit(comparison.quantity)).toStdString()});
+    }
+    if (other) {
+        line.accordance.label = write.text(changeText(*other));
+        line.accordance.label[0] = line.accordance.label[0].toUpper();
+        line.accordance.state = share(said - changed);
+        line.accordance.text = others.join(QStringLiteral(", "));
+    }
+    return line;
+}
+
+std::pair<Text, Text> sideTexts(const PlacedTest &before, const PlacedTest &after) {
+    const Text first = roleText(before.test().role);
+    const Text second = roleText(after.test().role);
+    if (before.test().role == after.test().role || first.empty() || second.empty())
+        return {REPORT_TEXT_FOR("report", "before", "of two tests"),
+                REPORT_TEXT_FOR("report", "after", "of two tests")};
+    return {first, second};
+}
+
+std::vector<ComparedWords> comparedWords(const TestComparison &comparison, const Language &language) {
+    const double scale = unitScale(comparison.quantity, language.units());
+    Whisker axis{0, 0, 0, 0, false};
+    for (const ComparedParameter &p : comparison.parameters) {
+        const double half = p.uncertainty.value_or(0);
+        axis.from = std::min(axis.from, p.difference - half);
+        axis.to = std::max(axis.to, p.difference + half);
+    }
+    std::vector<ComparedWords> all;
+    for (const ComparedParameter &parameter : comparison.parameters) {
+        const double shown = parameter.uncertainty.value_or(0) * scale;
+        int decimals = 1;
+        if (shown > 0 && shown < 1)
+            decimals = std::min(3, 1 - static_cast<int>(std::floor(std::log10(shown))));
+        const auto number = [&](double value) {
+            return language.number(value, comparison.quantity, decimals);
+        };
+        ComparedWords words;
+        words.symbol = symbolPhrase(parameter.term.symbol, parameter.index);
+        words.name = language.text(parameter.term.name);
+        words.before = number(parameter.before);
+        words.after = number(parameter.after);
+        words.difference = number(parameter.difference);
+        if (parameter.uncertainty) {
+            words.uncertainty = number(*parameter.uncertainty);
+            words.picture = axis;
+            words.picture->value = parameter.difference;
+            words.picture->half = *parameter.uncertainty;
+            words.picture->open = !parameter.word || !statesDifference(*parameter.word);
+        }
+        if (parameter.enRatio)
+            words.enRatio = language.number(*parameter.enRatio, Quantity::number, 2);
+        if (parameter.word)
+            words.word = language.text(changeText(*parameter.word));
+        all.push_back(std::move(words));
+    }
+    return all;
+}
+
+ComparedConditions compareConditions(const PlacedTest &before, const PlacedTest &after,
+                                     const Language &language) {
+    const Writer write(language);
+    const std::vector<KeyValue> was = statedRows(before, write);
+    const std::vector<KeyValue> is = statedRows(after, write);
+    ComparedConditions result;
+    const auto valueIn = [](const std::vector<KeyValue> &rows, const QString &key) {
+        const auto found = std::ranges::find(rows, key, &KeyValue::key);
+        return found == rows.end() ? QString() : found->value;
+    };
+    for (const KeyValue &row : is) {
+        if (const QString former = valueIn(was, row.key); former != row.value)
+            result.differing.push_back({row.key, former, row.value});
+        else if (!row.value.isEmpty())
+            result.alike << row.key;
+    }
+    for (const KeyValue &row : was) {
+        if (std::ranges::find(is, row.key, &KeyValue::key) == is.end() && !row.value.isEmpty())
+            result.differing.push_back({row.key, row.value, {}});
+    }
+    return result;
+}
+
+QString reasonOf(const TestComparison &comparison, const Language &language) {
+    if (comparison.refusal)
+        return language.text(refusalText(*comparison.refusal));
+    return comparison.noWord ? language.text(gapText(*comparison.noWord)) : QString();
+}
+
+QStringList methodSentences(const TestComparison &comparison, const Language &language) {
+    const Writer write(language);
+    QStringList sentences;
+    if (comparison.simulated) {
+        QStringList shared;
+        for (const SharedError error : comparison.shared)
+            shared << write.text(sharedText(error));
+        sentences << write.say(REPORT_TEXT("report",
+                                           "U of the difference: one simulation of both tests, %1 trials, "
+                                           "95.45 %; whole cycles drawn anew."),
+                               {wholeNumber(comparison.trials)});
+        sentences << (shared.isEmpty()
+                          ? write.text(
+                                REPORT_TEXT("report", "No error of measurement is known to be shared."))
+                          : write.say(REPORT_TEXT("report",
+                                                  "Shared by both tests: %1; all other errors are those of "
+                                                  "each."),
+                                      shared.join(QStringLiteral(", "))));
+    } else if (!comparison.noWord && !comparison.refusal) {
+        sentences << write.text(REPORT_TEXT("report",
+                                            "U of the difference: root of the sum of the squares of both U "
+                                            "and of the repeatability; nothing shared is known."));
+    }
+    if (!comparison.noWord && !comparison.refusal)
+        sentences << write.text(REPORT_TEXT(
+            "report", "“Changed” where the difference exceeds its U, always between these two sessions. Of "
+                      "A, E, M, R and B together about 12 % of unchanged pairs show one changed."));
+    return sentences;
+}
+
+std::vector<Block> comparisonBlocks(const TestComparison &comparison, const PlacedTest &before,
+                                    const PlacedTest &after, const Language &language,
+                                    std::optional<double> tolerance) {
+    const Writer write(language);
+    std::vector<Block> blocks;
+    const auto [first, second] = sideTexts(before, after);
+    const ComparedConditions conditions = compareConditions(before, after, language);
+    if (!conditions.differing.empty()) {
+        constexpr double nameWidth = 45;
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Differences of the conditions")),
+                   write.text(REPORT_TEXT("report", "everything else is stated alike in both tests")));
+        Table table;
+        table.columns = {write.column(REPORT_TEXT_FOR("report", "Condition", "of a test"), nameWidth),
+                         write.flexible(first, 60), write.flexible(second, 60)};
+        for (const DifferingCondition &row : conditions.differing)
+            table.rows.push_back({row.name, row.before, row.after});
+        blocks.emplace_back(std::move(table));
+        if (!conditions.alike.isEmpty())
+            blocks.emplace_back(Paragraph{
+                write.say(REPORT_TEXT("report", "Alike: %1."), conditions.alike.join(QStringLiteral(", "))),
+                TextSize::small});
+    }
+    if (tolerance && *tolerance > 0)
+        blocks.emplace_back(Paragraph{write.say(REPORT_TEXT("report", "Agreed tolerance t of a change: %1."),
+                                                {Number{*tolerance, comparison.quantity, -1}})});
+    if (comparison.refusal) {
+        blocks.emplace_back(Paragraph{reasonOf(comparison, language)});
+        return blocks;
+    }
+    QStringList notes;
+    if (comparison.cycles > 0) {
+        notes << write.say(REPORT_TEXT("report", "%1 common targets; the first %2 cycles of each test"),
+                           {wholeNumber(comparison.commonTargets), wholeNumber(comparison.cycles)});
+    }
+    if (!comparison.parameters.empty()) {
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Differences of the parameters")),
+                   notes.join(write.semicolon()));
+        blocks.emplace_back(parameterTable(comparison, before, after, write));
+    }
+    if (comparison.noWord)
+        blocks.emplace_back(Paragraph{reasonOf(comparison, language)});
+    if (const QStringList sentences = methodSentences(comparison, language); !sentences.isEmpty())
+        blocks.emplace_back(Paragraph{sentences.join(u' '), TextSize::small});
+    CurveFigure figure = differenceFigure(comparison, language);
+    if (!figure.curves.empty()) {
+        addHeading(blocks, figure.title,
+                   comparison.interpolated
+                       ? write.text(REPORT_TEXT("report",
+                                                "between targets of the first test: linear; less the mean of "
+                                                "all"))
+                       : write.text(REPORT_TEXT("report", "at the common targets, less the mean of all")));
+        blocks.emplace_back(FigureBlock{std::move(figure)});
+    }
+    return blocks;
+}
+
+Report composeComparison(const TestComparison &comparison, const PlacedTest &before, const PlacedTest &after,
+                         const Language &language, std::optional<double> tolerance) {
+    const Writer write(language);
+    Report report;
+    report.language = language.code();
+    report.blocks.emplace_back(
+        Heading{1, write.text(REPORT_TEXT("report", "Comparison of two tests")),
+                joined({testName(write, after.test()),
+                        QString::fromUtf8(comparison.edition ? comparison.edition->word : "")},
+                       QStringLiteral(" · "))});
+    report.blocks.emplace_back(Paragraph{write.text(comparisonNature()), TextSize::small});
+    if (VerdictLine line = decisionLine(comparison, language); !line.word.isEmpty())
+        report.blocks.emplace_back(std::move(line));
+    std::ranges::move(comparisonBlocks(comparison, before, after, language, tolerance),
+                      std::back_inserter(report.blocks));
+    return report;
+}
+
+Text comparisonNature() {
+    return REPORT_TEXT("report", "Difference of two results of the standard; the comparison itself is "
+                                 "an interpretation, not a result of it.");
+}
+
+} // namespace palmer
