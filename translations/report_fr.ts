@@ -10185,20 +10185,16 @@
     </message>
     <message>
         <source>expected the id of another test of this file, no drift test; “%1” is none</source>
-        <translation>l’identifiant d’un autre essai de ce fichier est attendu, sans essai de dérive ; « %1 » n’en est pas un</translation>
+        <translation>l’identifiant d’un autre essai de ce fichier est attendu, sans essai de dérive&#x202f;; «&#xa0;%1&#xa0;» n’en est pas un</translation>
     </message>
     <message>
         <source>Diff. ± U</source>
-        <translation>Diff. ± U</translation>
+        <translation>Écart ± U</translation>
     </message>
     <message>
         <source>Decision</source>
         <comment>on two tests</comment>
         <translation>Décision</translation>
-    </message>
-    <message>
-        <source>%1 of %2 parameters</source>
-        <translation>%1 grandeurs sur %2</translation>
     </message>
     <message>
         <source>Different</source>
@@ -10210,23 +10206,28 @@
     </message>
     <message>
         <source>%1: %2 → %3, difference %4 ± %5</source>
-        <translation>%1 : %2 → %3, différence %4 ± %5</translation>
+        <translation>%1&#xa0;: %2 → %3, différence %4 ± %5</translation>
     </message>
     <message>
         <source>Alike: %1.</source>
-        <translation>Identiques : %1.</translation>
+        <translation>Identiques&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Stated: the instrument stood as it had been aligned for the other test.</source>
-        <translation>Déclaré : l’instrument est resté tel qu’aligné pour l’autre essai.</translation>
+        <translation>Déclaré&#xa0;: l’instrument est resté tel qu’aligné pour l’autre essai.</translation>
     </message>
     <message>
         <source>no test of the file states what it is compared with (“comparedWith”); --test names two</source>
-        <translation>aucun essai du fichier ne déclare à quoi il est comparé (« comparedWith ») ; --test en nomme deux</translation>
+        <translation>aucun essai du fichier ne déclare à quoi il est comparé («&#xa0;comparedWith&#xa0;»)&#x202f;; --test en nomme deux</translation>
     </message>
     <message>
         <source>the command %1 takes one or two files</source>
         <translation>la commande %1 attend un ou deux fichiers</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>parameters that changed</comment>
+        <translation>%1 sur %2</translation>
     </message>
     <message>
         <source>That is beyond the ends of the axis, %1 and %2.</source>

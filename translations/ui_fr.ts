@@ -2979,7 +2979,7 @@
         <translation>%1 (lecture seule)</translation>
     </message>
     <message>
-        <source>Co&amp;mparison</source>
+        <source>Comparis&amp;on</source>
         <translation>Co&amp;mparaison</translation>
     </message>
 </context>
@@ -5533,7 +5533,7 @@ est la même machine que&#xa0;:</translation>
     </message>
     <message>
         <source>Choose the test to compare with: of this file, such as the one as found or that before a repair, or of another file. The report then has a page of the comparison.</source>
-        <translation>Choisissez l’essai de comparaison : un essai de ce fichier, comme l’état initial ou l’essai avant réparation, ou celui d’un autre fichier. Le rapport a alors une page de comparaison.</translation>
+        <translation>Choisissez l’essai de comparaison&#xa0;: un essai de ce fichier, comme l’état initial ou l’essai avant réparation, ou celui d’un autre fichier. Le rapport a alors une page de comparaison.</translation>
     </message>
     <message>
         <source>A test of another file is not part of the report.</source>
@@ -5553,11 +5553,11 @@ est la même machine que&#xa0;:</translation>
     </message>
     <message>
         <source>The instrument stood as it had been aligned for the other test: its misalignment is shared</source>
-        <translation>L’instrument est resté tel qu’aligné pour l’autre essai : son désalignement est commun</translation>
+        <translation>L’instrument est resté tel qu’aligné pour l’autre essai&#xa0;: son défaut d’alignement est commun</translation>
     </message>
     <message>
         <source>Up to this a change is of no consequence; empty: none was agreed</source>
-        <translation>Jusqu’à cette valeur un changement est sans conséquence ; vide : aucune convenue</translation>
+        <translation>Jusqu’à cette valeur un changement est sans conséquence&#x202f;; vide&#xa0;: aucune convenue</translation>
     </message>
     <message>
         <source>Copy the table for a spreadsheet</source>

@@ -3,6 +3,7 @@
 #include "ui/rowtable.h"
 
 #include "print/figures/drawkinds.h"
+#include "print/pdf/marks.h"
 #include "ui/measures.h"
 #include "ui/quiettable.h"
 #include "ui/theme.h"
@@ -49,6 +50,17 @@ public:
             bar.setHeight(barHeight);
             bar.moveCenter(inner.center());
             drawBar(painter, bar, part.toDouble(), index.data(RowTable::firstRole).toBool(), medium);
+        }
+        if (const QVariant whisker = index.data(RowTable::whiskerRole); whisker.isValid()) {
+            constexpr double points = 72 / 25.4; // of a millimetre, in which the picture is drawn
+            const double scale = inner.width() / (guardPictureWidth * points);
+            painter.save();
+            painter.setRenderHint(QPainter::Antialiasing);
+            painter.translate(inner.left(), inner.center().y() - scale * points * guardPictureHeight / 2);
+            painter.scale(scale, scale);
+            drawWhisker(painter, {}, whisker.value<Whisker>(), option.palette.color(QPalette::Text),
+                        option.palette.color(QPalette::Base));
+            painter.restore();
         }
         if (const HistogramFigure *figure = m_table.histogram(index)) {
             QRectF plot = inner.adjusted(0, 3, 0, -2);

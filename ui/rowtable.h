@@ -3,6 +3,7 @@
 #pragma once
 
 #include "figures/figure.h"
+#include "report/blocks/report.h"
 
 #include <QTableWidget>
 #include <initializer_list>
@@ -23,6 +24,7 @@ public:
         histogramRole,              ///< index of a histogram set with setHistograms()
         warningRole,                ///< QString: a warning mark with these words after the text
         outdatedRole,               ///< bool: the histogram is dimmed
+        whiskerRole,                ///< Whisker: the picture of a difference
         keyRole,                    ///< ID of the row, stored in its first cell
     };
 
@@ -58,3 +60,5 @@ private:
 };
 
 } // namespace palmer::ui
+
+Q_DECLARE_METATYPE(palmer::Whisker)

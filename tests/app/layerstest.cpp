@@ -72,7 +72,7 @@ constexpr Layer layers[]{
     {"ui/drift", "kernel document language editing ui ui/model"},
     {"ui/circles", "kernel document language tables import editing figures print ui ui/model ui/forms"},
     {"ui/uncertainty", "kernel language figures editing report ui ui/model ui/forms ui/figures"},
-    {"ui/comparison", "kernel document language import figures report print ui ui/model ui/figures"},
+    {"ui/comparison", "kernel document language import figures report ui ui/model ui/figures"},
     {"ui/diagnosis", "kernel document language figures report print ui ui/model ui/figures"},
     {"ui/proof", "proof ui"},
     {"ui/help", "kernel document report validation print ui ui/model"},

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/comparedialog.h"
 
-#include "document/readdocument.h"
-#include "document/savedocument.h"
-#include "document/testfile.h"
 #include "import/formats.h"
 #include "import/importmeasurement.h"
 #include "kernel/measurement/testfacts.h"
-#include "ui/dialogs/comparisonview.h"
 #include "ui/errorbox.h"
+#include "ui/figures/comparisonview.h"
 #include "ui/formulatext.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
@@ -190,23 +187,6 @@ QStringList fill(QTableWidget &table, const ResultComparison &comparison, const 
     table.horizontalHeader()->setStretchLastSection(!differences); // ends the rules with the table
     table.resizeRowsToContents();
     return footnotes;
-}
-
-/// The tests of a test file, or the one of a measurement file; its assumptions are appended to `guesses`.
-Document readTests(const QString &path, std::vector<Message> &guesses) {
-    const QByteArray bytes = readBytes(path);
-    if (isTestFile(bytes, path))
-        return readDocument(bytes);
-    Imported imported = importMeasurement(bytes, path);
-    for (const Remark &remark : imported.remarks) {
-        if (remark.grade != RemarkGrade::note)
-            guesses.push_back(remark.message);
-    }
-    for (const Question &question : imported.questions)
-        guesses.push_back(question.sentence);
-    Document document;
-    addImported(document, std::move(imported), bytes, path, false);
-    return document;
 }
 
 QTableWidget *readOnlyTable(QWidget *parent, const char *name) {

@@ -20,7 +20,8 @@ enum class Page {
     agreedPoints,
     limits,
     uncertainty,
-    diagnosis ///< circular tests only: interpretation
+    comparison, ///< with another test: interpretation
+    diagnosis   ///< circular tests only: interpretation
 };
 
 /// Returns the page that shows and edits the subject of a finding.

@@ -38,7 +38,8 @@ QString FindingsModel::pageName(Page page) {
         return tr("Limits");
     case Page::uncertainty:
         return tr("Uncertainty");
-    case Page::sheet:     // its findings are no test's
+    case Page::sheet: // its findings are no test's
+    case Page::comparison:
     case Page::diagnosis: // only an interpretation, nothing is missing
         break;
     }

@@ -78,6 +78,17 @@ void RightSide::setHasResults(bool has) {
     arrange();
 }
 
+void RightSide::setInstead(QWidget *instead) {
+    if (m_instead == instead)
+        return;
+    if (m_instead)
+        m_instead->hide();
+    m_instead = instead;
+    if (instead && m_column->indexOf(instead) < 0)
+        m_column->addWidget(instead, 1);
+    arrange();
+}
+
 void RightSide::setTabbed(bool tabbed) {
     if (m_tabbed == tabbed)
         return;
@@ -140,10 +151,13 @@ void RightSide::resizeEvent(QResizeEvent *event) {
 
 void RightSide::arrange() {
     const std::array<QWidget *, 3> widgets{m_figure, m_results, m_findings};
-    m_tabs->setVisible(m_tabbed && !m_maximised);
+    const bool instead = m_instead && !m_maximised;
+    m_tabs->setVisible(m_tabbed && !m_maximised && (!instead || m_takesTurns));
+    if (m_instead)
+        m_instead->setVisible(instead && !leavesToPage());
     for (std::size_t i = 0; i < widgets.size(); ++i) {
         const bool chosen = !m_tabbed || m_tabs->currentIndex() == figureTab + static_cast<int>(i);
-        const bool visible = m_maximised ? i == 0 : chosen && (i != 1 || m_hasResults);
+        const bool visible = m_maximised ? i == 0 : !instead && chosen && (i != 1 || m_hasResults);
         if (widgets[i]->isHidden() == visible) // showing it again would polish all below it
             widgets[i]->setVisible(visible);
     }

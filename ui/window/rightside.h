@@ -33,6 +33,8 @@ public:
     /// A drift test has no results and shows no empty table.
     void setHasResults(bool has);
     void setTabbed(bool tabbed);
+    /// Shows a widget made with this as parent instead of figure, results and findings; null: these again.
+    void setInstead(QWidget *instead);
     [[nodiscard]] bool isTabbed() const { return m_tabbed; }
     /// Makes the page one of the tabs, and the current one.
     void setTakingTurns(bool takesTurns);
@@ -67,6 +69,7 @@ private:
     FindingsPanel *m_findings;
     QLabel *m_mark; ///< over the figure
     QTimer *m_markLater;
+    QWidget *m_instead = nullptr;
     bool m_computing = false;
     bool m_hasResults = true;
     bool m_tabbed = false;

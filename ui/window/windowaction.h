@@ -48,6 +48,7 @@ enum class WindowAction {
     agreedPointsPage,
     limitsPage,
     uncertaintyPage,
+    comparisonPage,
     diagnosisPage,
     nextMissing,
     previousMissing,

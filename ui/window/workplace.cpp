@@ -10,6 +10,8 @@
 #include "language/decimals.h"
 #include "ui/circles/arctexts.h"
 #include "ui/circles/circlespage.h"
+#include "ui/comparison/comparisonpage.h"
+#include "ui/comparison/comparisonside.h"
 #include "ui/diagnosis/diagnosispage.h"
 #include "ui/drift/driftpage.h"
 #include "ui/figures/figureview.h"
@@ -76,8 +78,8 @@ constexpr int turnsBelow = 690 - 99;
 constexpr int lowTabsBelow = 400;
 constexpr QSize least(NavigationList::railWidth + 1 + centreWidth, 280); ///< with the page as a tab
 
-constexpr std::array testPages{Page::readings, Page::conditions,  Page::agreedPoints,
-                               Page::limits,   Page::uncertainty, Page::diagnosis};
+constexpr std::array testPages{Page::readings,    Page::conditions, Page::agreedPoints, Page::limits,
+                               Page::uncertainty, Page::comparison, Page::diagnosis};
 
 /// How the tests of a kind are shown.
 struct KindView {
@@ -86,7 +88,7 @@ struct KindView {
     int more = 0;                ///< px by which their page is wider, as their results need less
 };
 /// In the order of Kind.
-constexpr std::array kindViews{KindView{"positioning", 5}, KindView{"circular", 6, 28},
+constexpr std::array kindViews{KindView{"positioning", 6}, KindView{"circular", 7, 28},
                                KindView{"positioning", 1}};
 static_assert(kindViews.size() == allKinds.size());
 
@@ -209,6 +211,8 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     m_centre = makeCentre();
     m_right = new RightSide(m_selection, m_inner);
     m_right->setMinimumWidth(leastRightWidth);
+    m_comparisonSide = new ComparisonSide(m_right);
+    m_comparison->setSide(m_comparisonSide);
     m_figure = m_right->figure();
     m_results = m_right->results();
     m_findings = m_right->findings();
@@ -246,11 +250,12 @@ void Workplace::makePages(QWidget *centre) {
     m_agreedPoints = new AgreedPointsPage(m_model, m_selection, m_pages);
     m_limits = new LimitsPage(m_model, m_selection, m_pages);
     m_uncertainty = new UncertaintyPage(m_model, m_evaluator, m_selection, m_pages);
+    m_comparison = new ComparisonPage(m_model, m_pages);
     m_diagnosis = new DiagnosisPage(m_pages);
     m_reportPages = new ReportPages(m_model, m_selection, m_pages);
     for (QWidget *page :
          std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints, m_limits,
-                                          m_uncertainty, m_diagnosis, m_reportPages})
+                                          m_uncertainty, m_comparison, m_diagnosis, m_reportPages})
         m_pages->addWidget(page);
 }
 
@@ -513,6 +518,7 @@ void Workplace::presentTest() {
     m_agreedPoints->show(m_evaluated, test);
     m_limits->show(m_evaluated, test);
     m_uncertainty->show(m_evaluated, test);
+    m_comparison->show(m_evaluated, test);
     m_diagnosis->show(m_evaluated, test);
     presentResults();
     for (std::size_t i = 0; i < testPages.size(); ++i)
@@ -568,6 +574,7 @@ void Workplace::presentPage() {
     }
     m_findings->setPage(page);
     m_right->setVisible(page != Page::sheet); // whose rows need the width, and are no test's
+    m_right->setInstead(page == Page::comparison ? m_comparisonSide : nullptr);
     presentCard();
 }
 
@@ -897,7 +904,8 @@ void Workplace::retranslate() {
     m_tabs->setTabText(2, tr("&Agreed points"));
     m_tabs->setTabText(3, tr("&Limits"));
     m_tabs->setTabText(4, tr("U&ncertainty"));
-    m_tabs->setTabText(5, tr("Dia&gnosis"));
+    m_tabs->setTabText(5, tr("C&omparison"));
+    m_tabs->setTabText(6, tr("Dia&gnosis"));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
     m_circles->setLanguage(language);

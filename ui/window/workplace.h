@@ -19,6 +19,8 @@ namespace palmer::ui {
 
 class AgreedPointsPage;
 class CirclesPage;
+class ComparisonPage;
+class ComparisonSide;
 class ConditionsPage;
 class DiagnosisPage;
 class DocumentModel;
@@ -149,6 +151,8 @@ private:
     AgreedPointsPage *m_agreedPoints = nullptr;
     LimitsPage *m_limits = nullptr;
     UncertaintyPage *m_uncertainty = nullptr;
+    ComparisonPage *m_comparison = nullptr;
+    ComparisonSide *m_comparisonSide = nullptr;
     DiagnosisPage *m_diagnosis = nullptr;
     DriftPage *m_drift = nullptr;
     ReportPages *m_reportPages = nullptr;

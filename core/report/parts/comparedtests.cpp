@@ -236,7 +236,7 @@ VerdictLine decisionLine(const TestComparison &comparison, const Language &langu
         }
     }
     const auto share = [&](std::size_t count) {
-        return write.say(REPORT_TEXT("report", "%1 of %2 parameters"),
+        return write.say(REPORT_TEXT_FOR("report", "%1 of %2", "parameters that changed"),
                          {wholeNumber(count), wholeNumber(said)});
     };
     const bool ofLaboratories = std::ranges::any_of(

@@ -130,9 +130,9 @@ void checkDialog(const QDialog &dialog) {
     }
 }
 
-constexpr Page pages[] = {Page::identification, Page::machine,     Page::instruments,
-                          Page::readings,       Page::conditions,  Page::agreedPoints,
-                          Page::limits,         Page::uncertainty, Page::diagnosis};
+constexpr Page pages[] = {Page::identification, Page::machine,      Page::instruments, Page::readings,
+                          Page::conditions,     Page::agreedPoints, Page::limits,      Page::uncertainty,
+                          Page::comparison,     Page::diagnosis};
 
 } // namespace
 

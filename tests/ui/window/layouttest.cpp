@@ -45,9 +45,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::array pages{Page::identification, Page::machine,     Page::instruments,
-                           Page::readings,       Page::conditions,  Page::agreedPoints,
-                           Page::limits,         Page::uncertainty, Page::diagnosis};
+constexpr std::array pages{Page::identification, Page::machine,      Page::instruments, Page::readings,
+                           Page::conditions,     Page::agreedPoints, Page::limits,      Page::uncertainty,
+                           Page::comparison,     Page::diagnosis};
 
 } // namespace
 

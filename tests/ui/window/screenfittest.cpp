@@ -25,9 +25,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr std::array pages{Page::identification, Page::machine,     Page::instruments,
-                           Page::readings,       Page::conditions,  Page::agreedPoints,
-                           Page::limits,         Page::uncertainty, Page::diagnosis};
+constexpr std::array pages{Page::identification, Page::machine,      Page::instruments, Page::readings,
+                           Page::conditions,     Page::agreedPoints, Page::limits,      Page::uncertainty,
+                           Page::comparison,     Page::diagnosis};
 
 /// Those of the desktops: the whole, and what a desktop leaves that enlarges all.
 constexpr std::array screens{QSize(1280, 800), QSize(1024, 600), QSize(960, 720),

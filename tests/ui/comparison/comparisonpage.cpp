@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "ui/comparison/comparisonpage.h"
+#include "ui/figures/figurecard.h"
+#include "ui/rowtable.h"
+#include "ui/window/shownwindow.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTest>
+#include <QToolButton>
+
+using namespace palmer;
+using namespace palmer::ui;
+
+namespace {
+
+constexpr int compares = 30'000; ///< ms
+
+/// The example whose second test states the first, with the tab of the second in view.
+struct Compared {
+    ShownWindow shown{examplePath("x-axis-as-found-as-left")};
+    ComparisonPage *page = nullptr;
+    RowTable *parameters = nullptr;
+
+    Compared() {
+        shown.window->workplace().showTest(1);
+        shown.window->workplace().showPage(Page::comparison);
+        page = shown.find<ComparisonPage>("comparisonPage");
+        parameters = shown.find<RowTable>("comparedParameters");
+    }
+    [[nodiscard]] QString cell(int row, int column) const {
+        const QTableWidgetItem *item = parameters->item(row, column);
+        return item ? item->text() : QString();
+    }
+    [[nodiscard]] const std::optional<ComparedWith> &stated() const {
+        return shown.window->model().document()->tests[1]->comparedWith;
+    }
+};
+
+} // namespace
+
+class ComparisonPageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareApplication(); }
+    void init() { setWindowLanguage(Language::Id::english); }
+
+    void showsWhatTheTestStates() {
+        const Compared c;
+        QTRY_COMPARE_WITH_TIMEOUT(c.cell(0, 0), QString("A"), compares);
+        QCOMPARE(c.cell(0, 7), QString("changed, better"));
+        QVERIFY(c.shown.find<QLabel>("comparisonWord")->text() == "Changed, better");
+        QVERIFY(c.shown.find<LineView>("differenceFigure")->figure().has_value());
+        QCOMPARE(c.shown.find<RowTable>("comparedConditions")->rowCount(), 6);
+        c.shown.window->workplace().showPage(Page::readings);
+        QVERIFY(!c.shown.find<QWidget>("comparisonSide")->isVisible());
+        QVERIFY(c.shown.find<QWidget>("figureCanvas")->isVisible());
+    }
+
+    void theOtherDirectionHasTheOtherSign() {
+        const Compared c;
+        QTRY_COMPARE_WITH_TIMEOUT(c.cell(0, 0), QString("A"), compares);
+        const QString forwards = c.cell(0, 4);
+        QVERIFY(forwards.startsWith(QChar(u'\u2212')));
+        c.shown.find<QToolButton>("beforeLessAfter")->click();
+        QTRY_COMPARE_WITH_TIMEOUT(c.cell(0, 4), forwards.mid(1), compares);
+        QCOMPARE(c.cell(0, 7), QString("changed, worse"));
+    }
+
+    void whatIsChosenIsStatedAndUndone() {
+        const Compared c;
+        QTRY_COMPARE_WITH_TIMEOUT(c.cell(0, 0), QString("A"), compares);
+        auto *tolerance = c.shown.find<QLineEdit>("changeTolerance");
+        tolerance->setText("20");
+        emit tolerance->editingFinished();
+        QVERIFY(c.stated() && c.stated()->tolerance == std::optional(0.02));
+        QTRY_COMPARE_WITH_TIMEOUT(c.cell(0, 7), QString("unchanged within t"), compares);
+        auto *other = c.shown.find<QComboBox>("comparedWith");
+        other->setCurrentIndex(0);
+        emit other->activated(0);
+        QVERIFY(!c.stated());
+        QTRY_VERIFY(!c.parameters->isVisible());
+        c.shown.window->model().undoStack()->undo();
+        QVERIFY(c.stated().has_value());
+    }
+
+    void aTestOfAnotherFileIsNotStated() {
+        const Compared c;
+        QVERIFY(c.page->addFile(examplePath("x-axis-as-found-as-left")));
+        QTRY_VERIFY_WITH_TIMEOUT(c.shown.find<QLabel>("comparisonNote")->text().contains("another file"),
+                                 compares);
+        QCOMPARE(c.stated()->test, std::string("found"));
+        QVERIFY(!c.stated()->tolerance);
+    }
+};
+
+QTEST_MAIN(ComparisonPageTest)
+#include "comparisonpage.moc"

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/comparedtests.h"
+#include "report/blocks/report.h"
+#include "ui/model/background.h"
+#include "ui/model/documentmodel.h"
+#include "ui/qtforward.h"
+#include "ui/translated.h"
+
+#include <QWidget>
+#include <optional>
+
+namespace palmer::ui {
+
+class ComparisonSide;
+class ElidedBox;
+class RowTable;
+
+/// The page "Comparison" of a test: what has changed from another test of this file (which the test then
+/// states, and the report prints) or of another file (for looking only): decision, differing conditions, all
+/// parameters with U of the difference. Compares in the background, while in view.
+class ComparisonPage : public Translated<QWidget> {
+    Q_OBJECT
+
+public:
+    explicit ComparisonPage(DocumentModel &model, QWidget *parent = nullptr);
+
+    void show(const EvaluatedDocument &evaluated, std::size_t test);
+    /// What stands beside the page, made by its owner.
+    void setSide(ComparisonSide *side) { m_side = side; }
+    /// Compares with the tests of another file; on failure shows a message and returns false.
+    bool addFile(const QString &path);
+    [[nodiscard]] bool isBusy() const { return m_worker.isBusy(); }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    /// A test to compare with: of this file, or of another one.
+    struct Offer {
+        EvaluatedDocument evaluated;
+        std::size_t test = 0;
+        QString file; ///< empty: this one
+    };
+    struct Result {
+        Offer before;
+        Offer after;
+        TestComparison comparison;
+        bool swapped = false;
+    };
+
+    void makeBar();
+    void fillBox();
+    void choose(int row);
+    void chooseFile();
+    void state();
+    void want();
+    void present();
+    void fillConditions(const PlacedTest &before, const PlacedTest &after);
+    void fillParameters(const PlacedTest &before, const PlacedTest &after);
+    void copy();
+    void retranslate() final;
+    [[nodiscard]] std::optional<Offer> chosen() const;
+    [[nodiscard]] const Test *test() const;
+
+    DocumentModel &m_model;
+    EvaluatedDocument m_evaluated;
+    std::size_t m_test = 0;
+    std::vector<Offer> m_offers;
+    std::optional<std::size_t> m_ofFile; ///< the offer of another file that is shown
+    std::optional<Result> m_result;
+    Background m_worker;
+    ComparisonSide *m_side = nullptr;
+
+    QWidget *m_bar;
+    QLabel *m_label;
+    ElidedBox *m_other;
+    QToolButton *m_forwards;
+    QToolButton *m_backwards;
+    QLabel *m_toleranceLabel;
+    QLineEdit *m_tolerance;
+    QCheckBox *m_untouched;
+    QToolButton *m_copy;
+    QFrame *m_decision;
+    QLabel *m_word;
+    QLabel *m_counts;
+    QLabel *m_main;
+    QLabel *m_conditionsTitle;
+    RowTable *m_conditions;
+    RowTable *m_parameters;
+    QLabel *m_reason;
+    QLabel *m_note;
+};
+
+} // namespace palmer::ui
