@@ -3,6 +3,7 @@
 #include "ui/application.h"
 
 #include <QApplication>
+#include <QFontDatabase>
 #include <QFontInfo>
 #include <QScreen>
 #include <algorithm>
@@ -19,6 +20,12 @@ constexpr double designed = 13;         ///< font size the layout is designed fo
 constexpr double roomUntil = 16.5;      ///< smallest font size that needs scaling, px
 constexpr QSizeF leastScreen(640, 440); ///< smallest screen, in scaled pixels
 constexpr auto enlarged = "enlarged";
+
+/// Signs that no font of the machine may have (⚠, ✓, ↺) come from one of the program.
+void addSigns() {
+    const int signs = QFontDatabase::addApplicationFont(QStringLiteral(":/signs/PalmerSigns.ttf"));
+    QFont::insertSubstitutions(QApplication::font().family(), QFontDatabase::applicationFontFamilies(signs));
+}
 
 } // namespace
 
@@ -38,8 +45,10 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
     QFont font = QApplication::font();
     const double scale =
         scaleForFont(QFontInfo(font).pixelSize(), QGuiApplication::primaryScreen()->availableSize());
-    if (scale == 1)
+    if (scale == 1) {
+        addSigns();
         return application;
+    }
     // The desktop's font is known only once there is an application, but the scale must be set before.
     application.reset();
     argc = static_cast<int>(words.size());
@@ -59,6 +68,7 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
     QApplication::setStyle(QLatin1StringView(styleName));
     QApplication::setFont(font);
     application->setProperty(enlarged, true);
+    addSigns();
     return application;
 }
 

@@ -6,9 +6,11 @@
 
 #include "ui/window/shownwindow.h"
 
+#include <QDirIterator>
 #include <QFontInfo>
 #include <QLabel>
 #include <QMenuBar>
+#include <QRawFont>
 #include <QTableView>
 #include <QTemporaryFile>
 #include <QTest>
@@ -52,6 +54,28 @@ private slots:
         QVERIFY2(pixels >= 11 && pixels <= 15, qPrintable(QString::number(pixels)));
         QVERIFY(!qEnvironmentVariableIsSet("QT_SCALE_FACTOR")); // nothing for what is started from here
         QCOMPARE(QCoreApplication::arguments().value(1), u"a word"_s);
+    }
+
+    /// On a machine without fonts each sign that the sources of the window write comes from the program.
+    void noSignIsAnEmptyBox() {
+        const QRawFont letters(u":/fonts/LiberationSans-Regular.ttf"_s, 10);
+        const QRawFont signs(u":/signs/PalmerSigns.ttf"_s, 10);
+        QCOMPARE(QFont::substitutes(QApplication::font().family()), {signs.familyName().toLower()});
+        int found = 0;
+        QDirIterator sources(QStringLiteral(SOURCE "/ui"), {u"*.cpp"_s}, QDir::Files,
+                             QDirIterator::Subdirectories);
+        while (sources.hasNext()) {
+            QFile source(sources.next());
+            QVERIFY(source.open(QIODevice::ReadOnly));
+            for (const QChar sign : QString::fromUtf8(source.readAll())) {
+                if (sign.category() != QChar::Symbol_Other && sign.category() != QChar::Symbol_Math)
+                    continue;
+                found += signs.supportsCharacter(sign);
+                QVERIFY2(letters.supportsCharacter(sign) || signs.supportsCharacter(sign),
+                         qPrintable(source.fileName() + u" writes "_s + sign));
+            }
+        }
+        QVERIFY(found > 10);
     }
 
     /// A change of the style takes the fonts of the desktop for them.
