@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/application.h"
 
+#include "print/fonts.h"
+
 #include <QApplication>
 #include <QFontDatabase>
 #include <QFontInfo>
+#include <QRawFont>
 #include <QScreen>
 #include <algorithm>
 #include <cmath>
@@ -21,10 +24,16 @@ constexpr double roomUntil = 16.5;      ///< smallest font size that needs scali
 constexpr QSizeF leastScreen(640, 440); ///< smallest screen, in scaled pixels
 constexpr auto enlarged = "enlarged";
 
-/// Signs that no font of the machine may have (⚠, ✓, ↺) come from one of the program.
-void addSigns() {
+/// Signs that no font of the machine may have (⚠, ✓, ↺) come from one of the program, and letters from that of
+/// the reports if the machine has no font at all.
+void addFonts() {
+    QFont font = QApplication::font();
+    if (QRawFont::fromFont(font).fontTable("cmap").isEmpty()) { // Qt's boxes
+        font.setFamily(paperFamily());
+        QApplication::setFont(font);
+    }
     const int signs = QFontDatabase::addApplicationFont(QStringLiteral(":/signs/PalmerSigns.ttf"));
-    QFont::insertSubstitutions(QApplication::font().family(), QFontDatabase::applicationFontFamilies(signs));
+    QFont::insertSubstitutions(font.family(), QFontDatabase::applicationFontFamilies(signs));
 }
 
 } // namespace
@@ -46,7 +55,7 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
     const double scale =
         scaleForFont(QFontInfo(font).pixelSize(), QGuiApplication::primaryScreen()->availableSize());
     if (scale == 1) {
-        addSigns();
+        addFonts();
         return application;
     }
     // The desktop's font is known only once there is an application, but the scale must be set before.
@@ -68,7 +77,7 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
     QApplication::setStyle(QLatin1StringView(styleName));
     QApplication::setFont(font);
     application->setProperty(enlarged, true);
-    addSigns();
+    addFonts();
     return application;
 }
 
