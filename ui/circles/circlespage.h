@@ -24,7 +24,7 @@ class ArcCurvesView;
 
 /// The page "Readings" of a circular test: parameters, arcs with their evaluated range, the unwrapped curve
 /// and the points. Arcs are added as tables and deleted; parameters, sense, order and evaluated range are
-/// edited here, each as one undo step.
+/// edited here, each as one undo step. Over 500 lines: all its parts follow one selected arc.
 class CirclesPage : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(CirclesPage)

@@ -19,8 +19,9 @@ class ElidedBox;
 class RowTable;
 
 /// The page "Comparison" of a test: what has changed from another test of this file (which the test then
-/// states, and the report prints) or of another file (for looking only): decision, differing conditions, all
-/// parameters with U of the difference. Compares in the background, while in view.
+/// states, and the report prints) or of another file (for looking only): decision, differing conditions,
+/// all parameters with U of the difference. Compares in the background, while in view. Over 500 lines: the
+/// sides, the table and the decision follow one pair of tests.
 class ComparisonPage : public Translated<QWidget> {
     Q_OBJECT
 

@@ -22,8 +22,9 @@ class RowTable;
 
 /// The page "Diagnosis" of a circular test: an interpretation of the circle as machine errors. Sources by
 /// their part of G(b), with what to check; ticked ones are drawn over the measured path; the residual as a
-/// curve and a spectrum. If tests of the plane have several feeds, a second view shows their joint diagnosis.
-/// Diagnoses only while in view.
+/// curve and a spectrum. If tests of the plane have several feeds, a second view shows their joint
+/// diagnosis. Diagnoses only while in view. Over 500 lines: list, figure, residual and feeds follow one
+/// choice of sources.
 class DiagnosisPage : public QWidget {
     Q_OBJECT
 

@@ -19,9 +19,10 @@ namespace palmer::ui {
 class CycleView;
 class DocumentModel;
 
-/// "Plan…": the targets of a positioning test with a diagram of its measuring cycle, printed with an empty table
-/// or written as a part program. A test without targets, or a user who asks for new ones, gets targets chosen by
-/// the rule of an edition; they go into the test or a new one.
+/// "Plan…": the targets of a positioning test with a diagram of its measuring cycle, printed with an empty
+/// table or written as a part program. A test without targets, or a user who asks for new ones, gets
+/// targets chosen by the rule of an edition; they go into the test or a new one. Over 500 lines: its
+/// diagram, table and program show one plan.
 class PlanDialog : public Translated<QDialog> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(PlanDialog)

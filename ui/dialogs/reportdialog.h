@@ -25,7 +25,8 @@ class PageColumn;
 /// "Report…": the pages to print and, next to them, the choices for the report: languages, paper, sections,
 /// signatures. These belong to the document; choosing them edits it. Saves a PDF in each language, prints.
 /// Pages are composed and files written in the background: meanwhile the first page can be read, the number
-/// of pages is a dash, and what needs all pages is disabled.
+/// of pages is a dash, and what needs all pages is disabled. Over 500 lines: each choice is a row that
+/// edits, composes anew and is restored.
 class ReportDialog : public Translated<QDialog> {
     Q_OBJECT
 

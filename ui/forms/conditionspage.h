@@ -16,6 +16,7 @@ namespace palmer::ui {
 class ElidedLabel;
 
 /// The conditions of a test: what its edition asks for in one grid, what is usual or free folded below it.
+/// Over 500 lines with the sensors of the temperatures, a list within the grid.
 class ConditionsPage : public Form {
     Q_OBJECT
 

@@ -15,8 +15,9 @@
 namespace palmer::ui {
 
 /// A form field: label above, unit inside on the right, and a mark and a bar if it is required and empty.
-/// Empty means not stated. Typing is read at once: valid text emits entered(); invalid text stays in red with
-/// a short reason in the gap below, which moves nothing, and the former value is kept.
+/// Empty means not stated. Typing is read at once: valid text emits entered(); invalid text stays in red
+/// with a short reason in the gap below, which moves nothing, and the former value is kept. Over 500 lines:
+/// text, choice and each state (required, refused, restored) share one frame.
 class Field : public Translated<QWidget, QEvent::FontChange, QEvent::PaletteChange> {
     Q_OBJECT
 

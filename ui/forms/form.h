@@ -36,7 +36,8 @@ class SectionHead;
 [[nodiscard]] QString statedDate(const std::optional<std::string> &date, const Language &language);
 
 /// A page of fields in sections, filled from the document without signals. Typing changes the document at
-/// once, as one undo step per visit of a field. Label texts are sources of the given context.
+/// once, as one undo step per visit of a field. Label texts are sources of the given context. Over 500
+/// lines: every kind of row of all pages is made here, so that the pages are lists of rows.
 class Form : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
 

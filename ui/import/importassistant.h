@@ -48,9 +48,11 @@ struct MeasurementFile {
 [[nodiscard]] bool isLargeFile(qint64 bytes);
 
 /// "Import…": shows the content of a measurement file before it is accepted: the text as read, the column
-/// roles, the resulting table and curve, every choice with its origin, the questions and remarks. Changing a
-/// choice reads the file again; each question must be answered before the import. A file without a readable
-/// measurement is shown with what is missing. Changes no document: the caller adds the data with addTo().
+/// roles, the resulting table and curve, every choice with its origin, the questions and remarks. Changing
+/// a choice reads the file again; each question must be answered before the import. A file without a
+/// readable measurement is shown with what is missing. Changes no document: the caller adds the data with
+/// addTo(). Over 500 lines: text, roles, table, curve, questions and remarks show one reading, which parts
+/// of their own would pass back and forth.
 class ImportAssistant : public Translated<QDialog> {
     Q_OBJECT
 

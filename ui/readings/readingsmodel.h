@@ -17,9 +17,10 @@
 
 namespace palmer::ui {
 
-/// The readings of a positioning test as a table: one row per target; columns i, P, the runs and the computed
-/// values. Never edits the document: typing goes to the ReadingsEditor. If rows and columns stay the same,
-/// only their data change, so that an open editor stays open.
+/// The readings of a positioning test as a table: one row per target; columns i, P, the runs and the
+/// computed values. Never edits the document: typing goes to the ReadingsEditor. If rows and columns stay
+/// the same, only their data change, so that an open editor stays open. Over 500 lines: each role of a cell
+/// and of a heading has its function.
 class ReadingsModel : public QAbstractTableModel {
     Q_OBJECT
 

@@ -19,7 +19,8 @@ class TablePaste;
 struct SaidPaste;
 
 /// The page "Readings" of a positioning test: choice of unit and grouping, and the table in which readings
-/// are typed, pasted and excluded, and targets and runs added and removed.
+/// are typed, pasted and excluded, and targets and runs added and removed. Over 500 lines: one function for
+/// each command on the table.
 class ReadingsPage : public QWidget {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(ReadingsPage)

@@ -19,8 +19,9 @@ class RowTable;
 class SimulationRow;
 
 /// The uncertainty of a test: the method that decides, its inputs, the contributions of the budget in
-/// descending order, the U of each result by budget and simulation side by side with the distribution of the
-/// trials, and the decision rule. The simulation is only started here, never by an edit.
+/// descending order, the U of each result by budget and simulation side by side with the distribution of
+/// the trials, and the decision rule. The simulation is only started here, never by an edit. Over 500
+/// lines: inputs, budget, results and simulation of one method follow the same edit.
 class UncertaintyPage : public Form {
     Q_OBJECT
 

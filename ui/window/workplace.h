@@ -43,7 +43,8 @@ class TestHead;
 class UncertaintyPage;
 
 /// A window with an open document: navigation, the pages of a test with the detail card below, and on the
-/// right figure, results and findings. Arranges them for the available size.
+/// right figure, results and findings. Arranges them for the available size. Over 500 lines: each page and
+/// panel is made and placed here, one short function each.
 class Workplace : public Translated<QWidget> {
     Q_OBJECT
 
