@@ -8,6 +8,7 @@
 #include "commandline/streams.h"
 #include "commands/registertrend.h"
 #include "document/filewords.h"
+#include "export/answersjson.h"
 #include "register/due.h"
 #include "register/jsonline.h"
 #include "register/listing.h"
@@ -177,7 +178,8 @@ std::optional<Kind> kindOption(const Invocation &invocation) {
 
 void listFiles(Database &database, const Invocation &invocation) {
     const std::vector<ListedSource> sources = troubledSources(database);
-    if (sources.empty())
+    const bool json = invocation.has("json");
+    if (sources.empty() && !json)
         printOut(invocation.language.text(REPORT_TEXT("report", "All files of the register can be read.")) +
                  u'\n');
     for (const ListedSource &source : sources) {
@@ -185,8 +187,11 @@ void listFiles(Database &database, const Invocation &invocation) {
         QString why = isGone
                           ? invocation.language.text(REPORT_TEXT("report", "the file is not found any more"))
                           : sentenceFrom(source.error, invocation.language);
-        printOut(QString(source.path).replace(u'\n', u' ') + QStringLiteral(": ") + why.replace(u'\n', u' ') +
-                 u'\n');
+        const QString path = QString(source.path).replace(u'\n', u' ');
+        if (json)
+            printOut(errorJson(source.path, why, cannotRead)); // as of a file that a command fails on
+        else
+            printOut(path + QStringLiteral(": ") + why.replace(u'\n', u' ') + u'\n');
     }
 }
 
@@ -203,9 +208,10 @@ public:
         m_filter.until = dateOption(invocation, "until");
         m_filter.limits = invocation.value("verdict").value_or(QString());
         m_filter.words = invocation.value("text").value_or(QString());
-        if (m_csv && m_json)
+        const bool files = invocation.has("files");
+        if (m_csv && (m_json || files))
             throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
-                              {std::string("csv"), std::string("json")}});
+                              {std::string("csv"), std::string(files ? "files" : "json")}});
         if (const auto months = invocation.value("interval"))
             m_interval = static_cast<int>(wholeBetween("interval", *months, 1, longestInterval));
         if (const auto mark = invocation.value("decimal-mark")) {
