@@ -3653,8 +3653,8 @@
         <translation>le premier nombre n’est pas le plus petit</translation>
     </message>
     <message>
-        <source>not a date</source>
-        <translation>pas une date</translation>
+        <source>not a date such as 2026-03-12, 12.03.2026 or 12 March 2026</source>
+        <translation>pas une date telle que 12/03/2026, 12 mars 2026 ou 2026-03-12</translation>
     </message>
     <message>
         <source>not a time</source>
@@ -10248,6 +10248,14 @@
     <message>
         <source>the test names no control whose language is known: say it with %1</source>
         <translation>l’essai ne nomme aucune commande dont le langage soit connu : l’indiquer avec %1</translation>
+    </message>
+    <message>
+        <source>%1 or %2? Type one of them</source>
+        <translation>%1 ou %2 ? Saisir l’une des deux</translation>
+    </message>
+    <message>
+        <source>a power of ten: type all digits</source>
+        <translation>une puissance de dix : saisir tous les chiffres</translation>
     </message>
 </context>
 </TS>

@@ -590,4 +590,21 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>palmer::ui::SearchBox</name>
+    <message numerus="yes">
+        <source>%n answer(s)</source>
+        <translation>
+            <numerusform>%n answer</numerusform>
+            <numerusform>%n answers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>search: %n answer(s)</source>
+        <translation>
+            <numerusform>search: %n answer</numerusform>
+            <numerusform>search: %n answers</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

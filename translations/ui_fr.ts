@@ -336,6 +336,10 @@
         <translation>suppression de lignes</translation>
     </message>
     <message>
+        <source>fill like the last test</source>
+        <translation>remplissage d’après le dernier essai</translation>
+    </message>
+    <message>
         <source>choose the test to compare with</source>
         <translation>choisir l’essai de comparaison</translation>
     </message>
@@ -1247,6 +1251,14 @@
         <source>Unassigned</source>
         <translation>Non attribué</translation>
     </message>
+    <message>
+        <source>Like the last test</source>
+        <translation>Comme le dernier essai</translation>
+    </message>
+    <message>
+        <source>Fills what is open as for the last test of this machine, in this file or in the register; what is measured on the day stays open</source>
+        <translation>Remplit ce qui manque comme pour le dernier essai de cette machine, dans ce fichier ou dans le registre ; ce qui se mesure le jour de l’essai reste à indiquer</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::CurveComparison</name>
@@ -1587,6 +1599,14 @@
         <source>%1: no</source>
         <translation>%1&#xa0;: non</translation>
     </message>
+    <message>
+        <source>usual</source>
+        <translation>usage</translation>
+    </message>
+    <message>
+        <source>usual in practice, not stated</source>
+        <translation>d’usage, non indiqué</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::FigureView</name>
@@ -1767,6 +1787,14 @@
         <source>Fold the findings away</source>
         <translation>Replier les constats</translation>
     </message>
+    <message>
+        <source>&amp;Go to the statement</source>
+        <translation>&amp;Aller à l’information</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the text</source>
+        <translation>&amp;Copier le texte</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::FolderList</name>
@@ -1824,8 +1852,20 @@
         <translation>non indiqué</translation>
     </message>
     <message>
-        <source>Next (F8)</source>
-        <translation>Suivante (F8)</translation>
+        <source>Go to the next (F8)</source>
+        <translation>Aller à la suivante (F8)</translation>
+    </message>
+    <message>
+        <source>%1 usual</source>
+        <translation>%1 d’usage</translation>
+    </message>
+    <message>
+        <source>Calendar (Alt+Down)</source>
+        <translation>Calendrier (Alt+Bas)</translation>
+    </message>
+    <message>
+        <source>&amp;Today</source>
+        <translation>&amp;Aujourd’hui</translation>
     </message>
 </context>
 <context>
@@ -2373,6 +2413,14 @@
     <message>
         <source>%1 and %2 in size</source>
         <translation>%1 et %2 en valeur absolue</translation>
+    </message>
+    <message>
+        <source>Edition of all limits</source>
+        <translation>Édition de toutes les limites</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
     </message>
 </context>
 <context>
@@ -2977,6 +3025,50 @@
     <message>
         <source>%1 (read-only)</source>
         <translation>%1 (lecture seule)</translation>
+    </message>
+    <message>
+        <source>Li&amp;ke the last test of this machine</source>
+        <translation>&amp;Comme le dernier essai de cette machine</translation>
+    </message>
+    <message>
+        <source>Like the last test of a machine</source>
+        <translation>Comme le dernier essai d’une machine</translation>
+    </message>
+    <message>
+        <source>The last test of the machine cannot be read</source>
+        <translation>Le dernier essai de la machine ne peut être lu</translation>
+    </message>
+    <message>
+        <source>Neither the file nor the register has another test of this machine.</source>
+        <translation>Ni le fichier ni le registre ne contiennent d’autre essai de cette machine.</translation>
+    </message>
+    <message>
+        <source>Filled like %1%2%3. What is measured on the day of the test is still open.</source>
+        <translation>Rempli comme %1%2%3. Ce qui se mesure le jour de l’essai reste à indiquer.</translation>
+    </message>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>Searc&amp;h</source>
+        <translation>Cherc&amp;her</translation>
+    </message>
+    <message>
+        <source>Lar&amp;ger text</source>
+        <translation>Texte plus gr&amp;and</translation>
+    </message>
+    <message>
+        <source>Close &amp;anyway</source>
+        <translation>Fermer &amp;quand même</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller text</source>
+        <translation>Te&amp;xte plus petit</translation>
+    </message>
+    <message>
+        <source>&amp;Text of usual size</source>
+        <translation>Taille &amp;habituelle du texte</translation>
     </message>
     <message>
         <source>Comparis&amp;on</source>
@@ -4328,6 +4420,18 @@ est la même machine que&#xa0;:</translation>
         <source>Results copied</source>
         <translation>Résultats copiés</translation>
     </message>
+    <message>
+        <source>&amp;Explain</source>
+        <translation>&amp;Expliquer</translation>
+    </message>
+    <message>
+        <source>&amp;Copy with U and unit</source>
+        <translation>&amp;Copier avec U et unité</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;table</source>
+        <translation>Copier le &amp;tableau</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::RightSide</name>
@@ -5410,6 +5514,10 @@ est la même machine que&#xa0;:</translation>
         <translation>passes&#xa0;: %1 ↑, %2 ↓</translation>
     </message>
     <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
         <source>C&amp;omparison</source>
         <translation>C&amp;omparaison</translation>
     </message>
@@ -5434,6 +5542,10 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>%1 circle</source>
         <translation>Cercle %1</translation>
+    </message>
+    <message>
+        <source>%1 drift</source>
+        <translation>Dérive %1</translation>
     </message>
 </context>
 <context>
@@ -5585,6 +5697,39 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>Uncertainty of the difference</source>
         <translation>Incertitude de la différence</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::SearchBox</name>
+    <message numerus="yes">
+        <source>%n answer(s)</source>
+        <translation>
+            <numerusform>%n réponse</numerusform>
+            <numerusform>%n réponses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>search: %n answer(s)</source>
+        <translation>
+            <numerusform>recherche : %n réponse</numerusform>
+            <numerusform>recherche : %n réponses</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Settings and commands</source>
+        <translation>Réglages et commandes</translation>
+    </message>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation>Chercher (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search fields, results, findings and settings</source>
+        <translation>Chercher dans les champs, résultats, constats et réglages</translation>
+    </message>
+    <message>
+        <source>↑↓ choose · Enter go there · Ctrl+Enter without closing · Esc close</source>
+        <translation>↑↓ choisir · Entrée y aller · Ctrl+Entrée sans fermer · Échap fermer</translation>
     </message>
 </context>
 </TS>

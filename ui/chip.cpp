@@ -14,6 +14,27 @@ namespace {
 constexpr int chipHeight = 22;
 constexpr int chipMarkWidth = 22;
 constexpr int margin = 9;
+constexpr int arrowWidth = 14;
+
+int leftOf(const QString &icon) {
+    return icon.isEmpty() ? margin : chipMarkWidth + 4;
+}
+
+QSize sizeOf(const QString &text, const QString &icon) {
+    return {QFontMetrics(themeFont(TextSize::small)).horizontalAdvance(text) + leftOf(icon) + margin, chipHeight};
+}
+
+/// Ground and icon; a pen that is set draws the border of the focus.
+void paint(QPainter &painter, const QWidget &chip, const QString &icon, const QColor &colour,
+           const QColor &ground) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (painter.pen().width() < 2)
+        painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(chip.rect().adjusted(1, 1, -1, -1), 4, 4);
+    if (!icon.isEmpty())
+        drawLineIcon(painter, QRect(5, 0, chipMarkWidth - 2, chip.height()), icon, colour);
+}
 
 } // namespace
 
@@ -33,24 +54,47 @@ void Chip::setContent(const QString &text, const QString &icon, Token colour, To
 }
 
 QSize Chip::sizeHint() const {
-    const int mark = m_icon.isEmpty() ? margin : chipMarkWidth + 4;
-    return {QFontMetrics(themeFont(TextSize::small)).horizontalAdvance(m_text) + mark + margin, chipHeight};
+    return sizeOf(m_text, m_icon);
 }
 
 void Chip::paintEvent(QPaintEvent *) {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(token(m_ground, palette()));
-    painter.drawRoundedRect(rect(), 4, 4);
+    paint(painter, *this, m_icon, token(m_colour, palette()), token(m_ground, palette()));
+    drawElided(painter, rect().adjusted(leftOf(m_icon), 0, 0, 0), Qt::AlignLeft, m_text,
+               themeFont(TextSize::small), token(m_colour, palette()));
+}
+
+LinkChip::LinkChip(QWidget *parent)
+    : QAbstractButton(parent) {
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+}
+
+void LinkChip::setContent(const QString &text, const QString &icon, Token colour, Token ground) {
+    m_icon = icon;
+    m_colour = colour;
+    m_ground = ground;
+    setText(text);
+    setAccessibleName(text);
+    updateGeometry();
+}
+
+QSize LinkChip::sizeHint() const {
+    return sizeOf(text(), m_icon) + QSize(arrowWidth, 0);
+}
+
+void LinkChip::paintEvent(QPaintEvent *) {
+    QPainter painter(this);
     const QColor colour = token(m_colour, palette());
-    int left = margin;
-    if (!m_icon.isEmpty()) {
-        drawLineIcon(painter, QRect(5, 0, chipMarkWidth - 2, height()), m_icon, colour);
-        left = chipMarkWidth + 4;
-    }
-    drawElided(painter, rect().adjusted(left, 0, 0, 0), Qt::AlignLeft, m_text, themeFont(TextSize::small),
+    if (hasFocus())
+        painter.setPen(QPen(token(Token::accent, palette()), 2));
+    paint(painter, *this, m_icon, colour, token(m_ground, palette()));
+    QFont underlined = themeFont(TextSize::small);
+    underlined.setUnderline(true);
+    drawElided(painter, rect().adjusted(leftOf(m_icon), 0, -arrowWidth, 0), Qt::AlignLeft, text(), underlined,
                colour);
+    drawLineIcon(painter, QRect(width() - arrowWidth - 2, 0, arrowWidth, height()), QStringLiteral("right"), colour);
 }
 
 } // namespace palmer::ui

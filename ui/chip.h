@@ -4,6 +4,7 @@
 
 #include "ui/theme.h"
 
+#include <QAbstractButton>
 #include <QString>
 #include <QWidget>
 
@@ -27,6 +28,26 @@ protected:
 
 private:
     QString m_text;
+    QString m_icon;
+    Token m_colour = Token::secondaryText;
+    Token m_ground = Token::hover;
+};
+
+/// A chip that leads to the list of what it counts: by a click, by Enter or Space.
+class LinkChip : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit LinkChip(QWidget *parent = nullptr);
+
+    void setContent(const QString &text, const QString &icon, Token colour, Token ground);
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
     QString m_icon;
     Token m_colour = Token::secondaryText;
     Token m_ground = Token::hover;

@@ -4,21 +4,25 @@
 
 #include "ui/sizeonscreen.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemDelegate>
 #include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QInputDialog>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTabBar>
+#include <QToolButton>
 
 namespace palmer::ui {
 
@@ -47,6 +51,25 @@ public:
         if (widget->hasFocus())
             return false;
         event->ignore(); // passed on to the parent
+        return true;
+    }
+};
+
+/// Enter presses a button or checks a box as Space does, where no dialog has a default button for it.
+class EnterGuard : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject *watched, QEvent *event) override {
+        auto *button = event->type() == QEvent::KeyPress ? qobject_cast<QAbstractButton *>(watched) : nullptr;
+        if (!button || qobject_cast<QDialog *>(button->window()))
+            return false;
+        const auto *press = static_cast<QKeyEvent *>(event);
+        const bool isEnter = press->key() == Qt::Key_Return || press->key() == Qt::Key_Enter;
+        const auto *tool = qobject_cast<QToolButton *>(button);
+        if (!isEnter || press->modifiers() & ~Qt::KeypadModifier || !button->isEnabled() || (tool && tool->menu()))
+            return false;
+        button->click();
         return true;
     }
 };
@@ -145,7 +168,7 @@ public:
             widen(*static_cast<QWidget *>(watched));
         auto *button = qobject_cast<QPushButton *>(watched);
         auto *box = button ? qobject_cast<QDialogButtonBox *>(button->parentWidget()) : nullptr;
-        if (!box ||
+        if (!box || button->property("named").toBool() ||
             (!qobject_cast<QMessageBox *>(box->window()) && !qobject_cast<QInputDialog *>(box->window())))
             return false;
         const QString name = nameOf(box->standardButton(button));
@@ -163,7 +186,8 @@ void commitTyping() {
 
 void guardWidgets(QApplication &application) {
     for (QObject *guard : std::initializer_list<QObject *>{
-             new WheelGuard(&application), new BoxGuard(&application), new TypingGuard(&application)})
+             new WheelGuard(&application), new EnterGuard(&application), new BoxGuard(&application),
+             new TypingGuard(&application)})
         application.installEventFilter(guard);
     guardDialogs(application);
 }

@@ -14,6 +14,8 @@ QString testName(const Test &test) {
     const QString name = QString::fromStdString(axesOf(test));
     if (name.isEmpty())
         return QString::fromStdString(test.id);
+    if (kindOf(test) == Kind::drift)
+        return QCoreApplication::translate("palmer::ui::testName", "%1 drift").arg(name);
     if (!axisOf(test))
         return QCoreApplication::translate("palmer::ui::testName", "%1 circle").arg(name);
     return QCoreApplication::translate("palmer::ui::testName", "%1 axis").arg(name);

@@ -449,10 +449,42 @@ void setStyled(QWidget &widget, const char *property, bool value) {
     widget.style()->polish(&widget);
 }
 
+namespace {
+
+constexpr const char *textSizeKey = "window/textSize";
+constexpr int smallestTextStep = -2;
+constexpr int largestTextStep = 5;
+
+void useTextSize(int step) {
+    static const QFont ofSystem = QApplication::font();
+    constexpr double perStep = 0.1;
+    QFont font = ofSystem;
+    const double factor = 1 + perStep * step;
+    if (font.pointSizeF() > 0)
+        font.setPointSizeF(ofSystem.pointSizeF() * factor);
+    else
+        font.setPixelSize(qRound(ofSystem.pixelSize() * factor));
+    if (font != QApplication::font())
+        QApplication::setFont(font);
+}
+
+} // namespace
+
+int textSizeStep() {
+    return std::clamp(QSettings().value(QLatin1StringView(textSizeKey), 0).toInt(), smallestTextStep,
+                      largestTextStep);
+}
+
+void setTextSizeStep(int step) {
+    QSettings().setValue(QLatin1StringView(textSizeKey), std::clamp(step, smallestTextStep, largestTextStep));
+    useTextSize(textSizeStep());
+}
+
 void installTheme() {
     static bool installed = false;
     if (std::exchange(installed, true))
         return;
+    useTextSize(textSizeStep());
     if (const ThemeChoice choice = themeChoice(); choice != ThemeChoice::system)
         usePalette(choice);
     new Theme(qApp);

@@ -3,6 +3,7 @@
 #include "document/conditionsform.h"
 
 #include "document/fieldvalue.h"
+#include "kernel/evaluation/accordance.h"
 #include "kernel/evaluation/asked.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/evaluation/positioningcase.h"
@@ -162,7 +163,7 @@ ConditionsForm conditionsForm(const Test &test, const TestEvaluation &evaluation
     const std::vector<std::string_view> conditions = conditionKeys(test);
     const auto isMissing = [&](std::string_view key) {
         return std::ranges::any_of(evaluation.findings, [key](const Finding &finding) {
-            return finding.missing && finding.subject == Subject::conditions && !finding.keys.empty() &&
+            return lackOf(finding) == Lack::required && finding.subject == Subject::conditions && !finding.keys.empty() &&
                    finding.keys.front().substr(finding.keys.front().rfind('.') + 1) == key;
         });
     };

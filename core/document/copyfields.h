@@ -31,7 +31,11 @@ private:
     std::vector<std::string_view> m_keys;
 };
 
-enum class Copied { all, whatIsStated };
+enum class Copied {
+    all,
+    whatIsStated, ///< there
+    whatIsMissing ///< here
+};
 
 template <class Struct>
 void copyFields(Struct &to, const Struct &from, unsigned demands, Copied copied = Copied::all);
@@ -51,10 +55,11 @@ public:
             m_members.push_back(&member);
         } else {
             Member &to = *static_cast<Member *>(m_members[m_next++]);
-            if ((demands & m_demands) == 0) {
+            if (m_demands != nothing && (demands & m_demands) == 0) {
                 if constexpr (requires { fields(std::declval<FieldKeys &>(), std::declval<Member &>()); })
                     copyFields(to, member, m_demands, m_copied);
-            } else if (m_copied == Copied::all || member != Member()) {
+            } else if (m_copied == Copied::whatIsMissing ? to == Member()
+                                                         : m_copied == Copied::all || member != Member()) {
                 to = member;
             }
         }
@@ -68,7 +73,8 @@ private:
     std::size_t m_next = 0;
 };
 
-/// Copies the fields with one of the demands, also in nested structs, and leaves the rest unchanged.
+/// Copies the fields with one of the demands, also in nested structs, and leaves the rest unchanged; all fields of
+/// the struct for `nothing`.
 template <class Struct>
 void copyFields(Struct &to, const Struct &from, unsigned demands, Copied copied) {
     FieldCopier copier(demands, copied);

@@ -39,6 +39,11 @@ std::optional<Interval> travelOf(const PositioningMeasurement &measurement, doub
 
 } // namespace
 
+std::optional<double> statedInterval(const TargetPlan &plan) {
+    constexpr double fineness = 1e6;
+    return plan.interval ? std::optional(std::round(*plan.interval * fineness) / fineness) : std::nullopt;
+}
+
 Test plannedTest(const TargetRequest &request, const TargetPlan &plan, const CycleProgram &program,
                  const std::string &edition) {
     PositioningMeasurement measurement;
@@ -49,7 +54,7 @@ Test plannedTest(const TargetRequest &request, const TargetPlan &plan, const Cyc
     measurement.zone = request.zone;
     measurement.cycle = program.cycle;
     measurement.targets = plan.targets;
-    measurement.targetChoice = {TargetChoiceKind::free, plan.interval, request.period,
+    measurement.targetChoice = {TargetChoiceKind::free, statedInterval(plan), request.period,
                                 static_cast<long long>(request.seed)};
     for (int run = 0; run < program.runs; ++run) {
         for (const Direction direction : {Direction::positive, Direction::negative})

@@ -17,6 +17,9 @@ namespace palmer {
 [[nodiscard]] Test plannedTest(const TargetRequest &request, const TargetPlan &plan,
                                const CycleProgram &program, const std::string &edition);
 
+/// The nominal interval of a plan as a test states it: to a millionth, not with all digits of a quotient.
+[[nodiscard]] std::optional<double> statedInterval(const TargetPlan &plan);
+
 /// Returns the plan that follows from the statements of a positioning test; default values where it has none.
 /// The travel, mm or degrees, leaves space at both ends of the axis to approach the targets. Without stated
 /// ends it is the travel of the test, otherwise that of the axis. A rotary axis gets one turn, a long axis

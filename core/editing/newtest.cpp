@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/newtest.h"
 
+#include "editing/takestatements.h"
 #include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
@@ -121,8 +122,7 @@ std::size_t duplicateTest(Document &document, std::size_t index, bool withReadin
     if (!withReadings) {
         std::visit([](auto &measurement) { forgetReadings(measurement); }, copy.measurement);
         copy.imports.clear();
-        copy.date.reset();
-        copy.time.reset();
+        forgetDay(copy);
     }
     return insertTest(document, index, std::move(copy));
 }

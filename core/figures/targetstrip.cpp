@@ -5,6 +5,7 @@
 #include "figures/curvefield.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/resultsof.h"
+#include "kernel/measurement/readingsaside.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -24,10 +25,16 @@ StripLane laneOf(Direction direction, const PositioningMeasurement &measurement,
     StripLane lane;
     lane.role = direction == Direction::positive ? CurveRole::up : CurveRole::down;
     const double correction = target < results.corrections.size() ? results.corrections[target] : 0;
+    const ReadingsAside aside(measurement);
     for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
         const Run &run = measurement.runs[j];
-        if (run.approach == direction && target < run.deviations.size() && run.deviations[target])
-            lane.readings.push_back({(*run.deviations[target] + correction) * scale, j});
+        if (run.approach != direction || target >= run.deviations.size())
+            continue;
+        const ExcludedReading *excluded = aside.at(j, target);
+        if (const auto &value = run.deviations[target])
+            lane.readings.push_back({(*value + correction) * scale, j});
+        else if (excluded)
+            lane.readings.push_back({(excluded->value + correction) * scale, j, true});
     }
     return lane;
 }

@@ -16,6 +16,7 @@ namespace palmer {
 struct StripReading {
     double value = 0;
     std::size_t run = 0; ///< index in the measurement
+    bool isAside = false; ///< shown, but in no statistic
 
     bool operator==(const StripReading &) const = default;
 };

@@ -18,8 +18,16 @@ constexpr Text notANumber = REPORT_TEXT("report", "not a number");
 constexpr Text beyondNumbers = REPORT_TEXT("report", "larger than any number");
 constexpr Text notTwoNumbers = REPORT_TEXT("report", "not two numbers, from … to");
 constexpr Text notAscending = REPORT_TEXT("report", "the first number is not the smaller one");
-constexpr Text notADate = REPORT_TEXT("report", "not a date");
+constexpr Text notADate = REPORT_TEXT("report", "not a date such as 2026-03-12, 12.03.2026 or 12 March 2026");
 constexpr Text notATime = REPORT_TEXT("report", "not a time");
+
+constexpr Text powerOfTen = REPORT_TEXT("report", "a power of ten: type all digits");
+
+/// "1e99", "2.5E-3": a number as programs write it.
+bool isWithExponent(QStringView text) {
+    static const QRegularExpression form(QStringLiteral("^[-+]?\\d+([.,]\\d*)?[eE][-+]?\\d+$"));
+    return form.match(text.toString()).hasMatch();
+}
 
 bool isDigit(QChar c) {
     return c >= u'0' && c <= u'9';
@@ -51,7 +59,7 @@ bool isGroupedWell(QStringView number) {
 MomentEntry day(int year, int month, int dayOfMonth) {
     const QDate date(year, month, dayOfMonth);
     if (!date.isValid() || year < 1000 || year > 9999)
-        return {{}, notADate};
+        return {{}, Message{notADate}};
     return {date.toString(Qt::ISODate).toStdString(), {}};
 }
 
@@ -99,7 +107,7 @@ NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUni
         else if (c == u'+' && plain.empty())
             continue;
         else if (!c.isSpace())
-            return refused(notANumber);
+            return refused(isWithExponent(trimmed) ? powerOfTen : notANumber);
     }
     if (commas > 0 && points > 0)
         return refused(REPORT_TEXT("report", "comma and point in one number"));
@@ -132,22 +140,41 @@ IntervalEntry enteredInterval(QStringView typed, Quantity quantity, const Displa
     return {Interval{*from.value, *to.value}, {}};
 }
 
-MomentEntry enteredDate(QStringView typed) {
+MomentEntry enteredDate(QStringView typed, const Language &language) {
     const QString text = typed.trimmed().toString();
     if (text.isEmpty())
         return {};
+    const QString word = text.toLower().replace(u'\u2019', u'\'');
+    if (word == u"today" || word == u"aujourd'hui")
+        return {QDate::currentDate().toString(Qt::ISODate).toStdString(), {}};
     static const QRegularExpression yearFirst(QStringLiteral("^(\\d{4})[-./](\\d{1,2})[-./](\\d{1,2})$"));
-    static const QRegularExpression dayFirst(QStringLiteral("^(\\d{1,2})[-./ ](\\d{1,2})[-./ ](\\d{4})$"));
+    static const QRegularExpression yearLast(
+        QStringLiteral("^(\\d{1,2})([-./ ])(\\d{1,2})[-./ ](\\d{2}|\\d{4})$"));
     static const QRegularExpression inWords(
         QStringLiteral("^(\\d{1,2})(?:er)?\\s+(\\p{L}+)\\.?\\s+(\\d{4})$"),
         QRegularExpression::UseUnicodePropertiesOption);
     if (const auto match = yearFirst.match(text); match.hasMatch())
         return day(match.captured(1).toInt(), match.captured(2).toInt(), match.captured(3).toInt());
-    if (const auto match = dayFirst.match(text); match.hasMatch())
-        return day(match.captured(3).toInt(), match.captured(2).toInt(), match.captured(1).toInt());
     if (const auto match = inWords.match(text); match.hasMatch())
         return day(match.captured(3).toInt(), monthOf(match.captured(2)), match.captured(1).toInt());
-    return {{}, notADate};
+    const auto match = yearLast.match(text);
+    if (!match.hasMatch())
+        return {{}, Message{notADate}};
+    constexpr int firstOfTwoDigits = 70;
+    const int digits = match.captured(4).toInt();
+    const int year = match.captured(4).size() > 2 ? digits : digits + (digits < firstOfTwoDigits ? 2000 : 1900);
+    const int first = match.captured(1).toInt();
+    const int second = match.captured(3).toInt();
+    const bool isWrittenBothWays = language.id() == Language::Id::english &&
+                                   (match.captured(2) == u"/" || match.captured(2) == u"-");
+    const MomentEntry dayFirst = day(year, second, first);
+    const MomentEntry monthFirst = isWrittenBothWays ? day(year, first, second) : MomentEntry();
+    if (dayFirst.value && monthFirst.value && first != second)
+        return {{},
+                Message{REPORT_TEXT("report", "%1 or %2? Type one of them"),
+                        {language.date(*dayFirst.value).toStdString(),
+                         language.date(*monthFirst.value).toStdString()}}};
+    return dayFirst.value || !monthFirst.value ? dayFirst : monthFirst;
 }
 
 MomentEntry enteredTime(QStringView typed) {
@@ -159,7 +186,7 @@ MomentEntry enteredTime(QStringView typed) {
     const auto match = hoursAndMinutes.match(text);
     const QTime time(match.captured(1).toInt(), match.captured(2).toInt());
     if (!match.hasMatch() || !time.isValid())
-        return {{}, notATime};
+        return {{}, Message{notATime}};
     return {time.toString(QStringLiteral("HH:mm")).toStdString(), {}};
 }
 

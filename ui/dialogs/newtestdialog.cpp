@@ -3,6 +3,7 @@
 #include "ui/dialogs/newtestdialog.h"
 
 #include "document/documenterror.h"
+#include "document/plannedtest.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/planning/cycleprogram.h"
 #include "language/decimals.h"
@@ -249,7 +250,7 @@ void NewTestDialog::propose() {
     m_why->setVisible(!m_listed && !m_why->text().isEmpty());
     if (!m_listed && count) {
         std::vector<double> proposed = plan.targets;
-        m_choice = {TargetChoiceKind::free, plan.interval, std::nullopt, static_cast<long long>(m_seed)};
+        m_choice = {TargetChoiceKind::free, statedInterval(plan), std::nullopt, static_cast<long long>(m_seed)};
         if (proposed.empty()) { // the rule does not give that number
             m_choice = {};
             const TargetRequest ends = request();

@@ -23,6 +23,7 @@
 #include "ui/ruling.h"
 #include "ui/theme.h"
 
+#include <QAction>
 #include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -140,6 +141,14 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
         2, {m_title, Placed::gap(8), {m_note, 1}, m_marks, m_zoom, m_copy, m_save, m_detach, m_maximise});
     inColumn(this, {pageMargin, 2, 6, 2}, 2, {head, {m_canvas, 1}, {m_circles, 1}});
     m_circles->hide();
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+    for (QToolButton *button : {m_copy, m_save, m_detach, m_maximise}) {
+        auto *action = new QAction(button->icon(), {}, button);
+        connect(action, &QAction::triggered, button, &QToolButton::click);
+        addAction(action);
+    }
+    actions().first()->setShortcut(QKeySequence::Copy);
+    actions().first()->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     retranslate();
 }
 
@@ -479,6 +488,8 @@ void FigureView::retranslate() {
     nameWidget(*m_detach, tr("Open the figure in a window of its own"));
     nameWidget(*m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
     m_canvas->setToolTip({});
+    for (QAction *action : actions())
+        action->setText(qobject_cast<QToolButton *>(action->parent())->accessibleName());
     refresh();
 }
 

@@ -74,7 +74,7 @@ protected:
 AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, QWidget *parent)
     : Translated(parent)
     , m_model(model)
-    , m_chip(made<Chip>("missingChip", this))
+    , m_chip(made<LinkChip>("missingChip", this))
     , m_source(made<QLabel>(trait::secondary, this))
     , m_scroll(new QScrollArea(this)) {
     setObjectName(QStringLiteral("agreedPointsPage"));
@@ -83,6 +83,7 @@ AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, Q
     content->setProperty("ground", QStringLiteral("base"));
     m_body = inColumn(content, {pageMargin, 4, pageMargin, pageMargin}, 4, {});
     m_scroll->setWidget(content);
+    connect(m_chip, &LinkChip::clicked, this, &AgreedPointsPage::nextWanted);
     auto *bar = inRow(nullptr, {pageMargin, 8, pageMargin, 4}, 10, {m_chip, m_source, Placed::stretch()});
     inColumn(this, noMargins, 0, {bar, {m_scroll, 1}});
     connect(&selection, &Selection::fieldChosen, this, [this, &selection](const QString &id) {
@@ -359,14 +360,12 @@ void AgreedPointsPage::refresh() {
         return;
     const Test &test = *m_evaluated.document->tests[m_test];
     build(*edition, test);
-    int open = 0;
     int others = 0; // inapplicable points, folded
     for (const Row &row : m_rows) {
         const AgreedPoint *agreed = agreedPoint(test, row.point->point);
         const bool applies = roleOf(*row.point, test) != PointRole::notApplicable;
         const bool settled = !applies || (agreed && agreed->state != AgreementState::notAgreed);
         const bool folded = !m_showsAll && !agreed && !applies;
-        open += settled ? 0 : 1;
         others += folded ? 1 : 0;
         row.area->setVisible(!folded);
         refreshRow(row, test, agreed, settled);
@@ -379,6 +378,7 @@ void AgreedPointsPage::refresh() {
     m_others->setVisible(others > 0);
     m_others->setText(tr("%n point(s) that do not apply", nullptr, others));
     const int all = static_cast<int>(m_rows.size());
+    const int open = countMissing(m_evaluated, m_test, Page::agreedPoints);
     m_chip->setVisible(open > 0);
     m_chip->setContent(tr("%n of %1 points to be agreed", nullptr, open).arg(all), QStringLiteral("warn"),
                        Token::unsure, Token::unsureGround);

@@ -16,6 +16,7 @@ namespace palmer::ui {
 
 class AgreementEdit;
 class Chip;
+class LinkChip;
 class DocumentModel;
 
 /// The points to be agreed between supplier/manufacturer and user: each agreed, not agreed, not applicable or
@@ -32,6 +33,10 @@ public:
     bool focusField(const QString &id);
     /// Numbers typed here, for any test, that cannot be accepted.
     [[nodiscard]] QStringList refusedTexts() const;
+
+signals:
+    /// The chip was clicked: to the next missing statement.
+    void nextWanted();
 
 private:
     struct Row {
@@ -68,7 +73,7 @@ private:
     Language m_language{Language::Id::english};
     const Edition *m_built = nullptr;
     bool m_builtRotary = false;
-    Chip *m_chip;
+    LinkChip *m_chip;
     QLabel *m_source;
     QScrollArea *m_scroll;
     QVBoxLayout *m_body;

@@ -151,6 +151,9 @@ std::size_t shownSensors(const Conditions &conditions, SensorMeasures what) {
 ConditionsPage::ConditionsPage(DocumentModel &model, Selection &selection, QWidget *parent)
     : Form(conditionsContext, Page::conditions, model, parent) {
     follow(selection);
+    m_like = made<QPushButton>("likeLast", trait::notDefault, this);
+    connect(m_like, &QPushButton::clicked, this, &ConditionsPage::likeLastWanted);
+    addToBar(m_like);
     addToBar(new TemplateButton(TemplateButton::Kind::conditions, model, selection, this));
     setObjectName(QStringLiteral("conditionsPage"));
     body()->setObjectName(QStringLiteral("conditionsFields"));
@@ -424,6 +427,9 @@ bool ConditionsPage::focusField(const QString &id) {
 }
 
 void ConditionsPage::refreshOthers() {
+    m_like->setText(tr("Like the last test"));
+    m_like->setToolTip(tr("Fills what is open as for the last test of this machine, in this file or in the register; "
+                          "what is measured on the day stays open"));
     const Test *shown = shownTest();
     if (shown && m_correction) {
         const QString size = correctionSizeText(*shown, language());

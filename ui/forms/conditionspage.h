@@ -26,6 +26,10 @@ public:
     /// As Form; for the instruments focuses the first checkbox.
     bool focusField(const QString &id) override;
 
+signals:
+    /// Fills the test like the last one of the machine.
+    void likeLastWanted();
+
 protected:
     void prepare() override;
     void refreshOthers() override;
@@ -53,6 +57,7 @@ private:
     std::vector<QCheckBox *> m_instruments;
     std::vector<SensorName> m_sensorNames;
     std::map<std::string, Field *> m_clauses; ///< declarations by key, each with its clause
+    QPushButton *m_like = nullptr;
     ElidedLabel *m_correction = nullptr;      ///< size of the correction to 20 °C
     Field *m_start = nullptr;                 ///< heads of the columns of temperatures
     Field *m_end = nullptr;

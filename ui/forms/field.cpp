@@ -269,6 +269,11 @@ void Field::setRequired(bool required) {
     retranslate();
 }
 
+void Field::setUsual(bool usual) {
+    if (std::exchange(m_usual, usual) != usual)
+        retranslate();
+}
+
 void Field::showChoice(int index, bool required) {
     if (m_answer)
         m_answer->setCheckState(answers.at(static_cast<std::size_t>(std::max(0, index))));
@@ -364,8 +369,8 @@ void Field::placeParts() {
     QWidget *shown = edit();
     if (m_answer) {
         m_bar->hide();
-        m_mark->setText(m_required ? QStringLiteral("●") : QString());
-        m_mark->setToolTip(tr("required"));
+        m_mark->setText(m_required ? QStringLiteral("●") : m_usual ? QStringLiteral("○") : QString());
+        m_mark->setToolTip(m_required ? tr("required") : tr("usual"));
         return;
     }
     const int height = m_lines ? linesHeight : m_height;
@@ -376,11 +381,13 @@ void Field::placeParts() {
     m_bar->setGeometry(1, 1, barWidth, height - 2);
     m_bar->setVisible(m_required);
     // If label and word do not fit side by side, only the dot is shown; bar and placeholder say the same.
-    const QString mark = QStringLiteral("● ") + tr("required");
+    const QString dot = m_required ? QStringLiteral("●") : QStringLiteral("○");
+    const QString meaning = m_required ? tr("required") : tr("usual");
+    const QString mark = dot + u' ' + meaning;
     const int needed = m_label->fontMetrics().horizontalAdvance(m_label->text()) +
                        m_mark->fontMetrics().horizontalAdvance(mark) + margin;
-    m_mark->setText(!m_required ? QString() : needed > width() && width() > 0 ? QStringLiteral("●") : mark);
-    m_mark->setToolTip(tr("required"));
+    m_mark->setText(!m_required && !m_usual ? QString() : needed > width() && width() > 0 ? dot : mark);
+    m_mark->setToolTip(meaning);
     m_unit->setVisible(unitWidth > 0);
 }
 
@@ -425,6 +432,8 @@ QString Field::description() const {
         return m_reason->text();
     if (m_required)
         return tr("required, not stated");
+    if (m_usual)
+        return tr("usual in practice, not stated");
     if (m_answer && !text().isEmpty())
         return text();
     if (!text().isEmpty())
@@ -445,7 +454,7 @@ void Field::retranslate() {
     if (m_answer)
         m_answer->setText(
             QString(choice() == 2 ? tr("%1: no").arg(label) : label).replace(u'&', QStringLiteral("&&")));
-    m_mark->setVisible(m_required && !m_bare && !m_labelHidden);
+    m_mark->setVisible((m_required || m_usual) && !m_bare && !m_labelHidden);
     const QString placeholder = !m_placeholder.isEmpty()                              ? m_placeholder
                                 : m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
                                                                                       : tr("not stated");

@@ -60,6 +60,8 @@ public:
     void show(const QString &value, bool required);
     void showChoice(int index, bool required);
     void setRequired(bool required);
+    /// Marks an empty field that only good practice asks for.
+    void setUsual(bool usual);
     /// Discards typed and refused text, for another test or document.
     void forget();
     /// Restores a refused text; does nothing if it can be read now.
@@ -81,6 +83,7 @@ public:
     [[nodiscard]] QString valueText() const { return isRefused() ? m_atFocus : text(); }
     [[nodiscard]] int choice() const;
     [[nodiscard]] bool isRequired() const { return m_required; }
+    [[nodiscard]] bool isUsual() const { return m_usual; }
     [[nodiscard]] bool isRefused() const { return !m_refusal.isEmpty(); }
     /// The message below a refused text.
     [[nodiscard]] QString refusal() const;
@@ -121,6 +124,7 @@ private:
     bool m_bare = false;
     bool m_labelHidden = false;
     bool m_required = false;
+    bool m_usual = false;
     bool m_none = false;    ///< the first choice means not stated
     bool m_isTyped = false; ///< since the field was shown or left
     QString m_shown;        ///< the value last shown

@@ -17,11 +17,16 @@
 #include "ui/theme.h"
 
 #include <QCoreApplication>
+#include <QAction>
+#include <QCalendarWidget>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QShowEvent>
 #include <QTimer>
+#include <QWidgetAction>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -51,11 +56,17 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     , m_context(context)
     , m_page(page)
     , m_model(model)
-    , m_chip(made<Chip>("missingChip", this))
-    , m_next(made<QPushButton>("nextMissingButton", trait::notDefault, this))
+    , m_chip(made<LinkChip>("missingChip", this))
+    , m_usual(made<LinkChip>("usualChip", this))
     , m_bar(new QHBoxLayout)
     , m_scroll(new QScrollArea(this)) {
-    connect(m_next, &QPushButton::clicked, this, &Form::nextWanted);
+    connect(m_chip, &LinkChip::clicked, this, &Form::nextWanted);
+    connect(m_usual, &LinkChip::clicked, this, [this] {
+        if (focusNext(true, &Field::isUsual))
+            return;
+        startOver(); // comes round
+        focusNext(true, &Field::isUsual);
+    });
     auto *content = new QWidget(m_scroll);
     content->setProperty("ground", QStringLiteral("base"));
     content->setMaximumWidth(mostWidth + 2 * pageMargin);
@@ -67,8 +78,8 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     m_bar->setSpacing(8);
     m_bar->addStrut(barHeight); // keeps the fields in place when the chip disappears
     m_bar->addWidget(m_chip);
+    m_bar->addWidget(m_usual);
     m_bar->addStretch();
-    m_bar->addWidget(m_next);
     inColumn(this, noMargins, 0, {m_bar, {m_scroll, 1}});
 }
 
@@ -309,26 +320,65 @@ Field *Form::addInterval(const Topic &topic, Quantity quantity, Member<std::opti
 Field *Form::addDate(const Topic &topic, Member<Moment> member, int weight) {
     Field *field = add(Field::Kind::text, topic, {}, weight);
     field->setReader([this](const QString &typed) -> Field::Reading {
-        const MomentEntry entry = enteredDate(typed);
-        return entry.refusal ? Field::Reading{{}, m_language.text(*entry.refusal)}
+        const MomentEntry entry = enteredDate(typed, m_language);
+        return entry.refusal ? Field::Reading{{}, m_language.sentence(*entry.refusal)}
                              : Field::Reading{statedDate(entry.value, m_language), {}};
     });
+    offerCalendar(*field);
     last().value = [read = member.read](const FormSource &source) {
         return statedDate(read(source), source.language);
     };
     last().change = [this, field, write = std::move(member.write)]() -> Change {
-        return [write, test = m_test, value = enteredDate(field->valueText()).value](Document &document) {
+        return [write, test = m_test, value = enteredDate(field->valueText(), m_language).value](Document &document) {
             write(document, test, value);
         };
     };
     return field;
 }
 
+/// A calendar, with today, at the end of a date; Alt+Down opens it.
+void Form::offerCalendar(Field &field) {
+    auto *line = qobject_cast<QLineEdit *>(field.edit());
+    QAction *action = line->addAction(lineIcon(QStringLiteral("down")), QLineEdit::TrailingPosition);
+    action->setObjectName(QStringLiteral("calendar"));
+    action->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Down));
+    action->setShortcutContext(Qt::WidgetShortcut);
+    action->setText(tr("Calendar (Alt+Down)"));
+    const auto take = [this, line](const QDate &date) {
+        line->setText(m_language.date(date.toString(Qt::ISODate).toStdString()));
+        emit line->textEdited(line->text());
+    };
+    connect(action, &QAction::triggered, line, [this, line, take] {
+        auto *menu = new QMenu(line);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->setObjectName(QStringLiteral("calendarMenu"));
+        connect(menu->addAction(tr("&Today")), &QAction::triggered, line,
+                [take] { take(QDate::currentDate()); });
+        auto *calendar = new QCalendarWidget(menu);
+        const MomentEntry stated = enteredDate(line->text(), m_language);
+        if (stated.value)
+            calendar->setSelectedDate(QDate::fromString(QString::fromStdString(*stated.value), Qt::ISODate));
+        calendar->setFirstDayOfWeek(Qt::Monday);
+        connect(calendar, &QCalendarWidget::activated, menu, [menu, take](const QDate &date) {
+            take(date);
+            menu->close();
+        });
+        connect(calendar, &QCalendarWidget::clicked, menu, [menu, take](const QDate &date) {
+            take(date);
+            menu->close();
+        });
+        auto *place = new QWidgetAction(menu);
+        place->setDefaultWidget(calendar);
+        menu->addAction(place);
+        menu->popup(line->mapToGlobal(line->rect().bottomLeft()));
+    });
+}
+
 Field *Form::addTime(const Topic &topic, Member<Moment> member, int weight) {
     Field *field = add(Field::Kind::text, topic, {}, weight);
     field->setReader([this](const QString &typed) -> Field::Reading {
         const MomentEntry entry = enteredTime(typed);
-        return entry.refusal ? Field::Reading{{}, m_language.text(*entry.refusal)}
+        return entry.refusal ? Field::Reading{{}, m_language.sentence(*entry.refusal)}
                              : Field::Reading{stated(entry.value.value_or(std::string())), {}};
     });
     last().value = [read = member.read](const FormSource &source) {
@@ -497,16 +547,34 @@ const Test *Form::shownTest() const {
                : nullptr;
 }
 
-bool Form::isMissingHere(const char *key) const {
-    if (*key == 0 || m_test >= m_evaluated.tests.size())
-        return false;
-    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
-    return std::ranges::any_of(evaluation.findings, [&](const Finding &finding) {
+/// Marks a field of every finding of this page, the first empty one, so that there are as many marks as are counted.
+void Form::markWhatIsMissing(const std::vector<bool> &isEmpty) {
+    std::vector<Lack> lacks(m_entries.size(), Lack::none);
+    const auto &tests = m_evaluated.tests;
+    for (const Finding &finding : m_test < tests.size() ? tests[m_test]->findings : std::vector<Finding>()) {
+        if (lackOf(finding) == Lack::none || pageOf(finding, *m_evaluated.document) != m_page)
+            continue;
         // A field has only the last part of its path; its page determines the object.
-        const auto names = [key](const std::string &path) { return path.substr(path.rfind('.') + 1) == key; };
-        return finding.missing && std::ranges::any_of(finding.keys, names) &&
-               pageOf(finding, *m_evaluated.document) == m_page;
-    });
+        const auto mark = [&](const std::string &path, bool ifEmpty) {
+            const std::string key = path.substr(path.rfind('.') + 1);
+            for (std::size_t i = 0; i < m_entries.size(); ++i) {
+                if (isEmpty[i] != ifEmpty || lacks[i] != Lack::none || key != m_entries[i].key)
+                    continue;
+                lacks[i] = lackOf(finding);
+                return true;
+            }
+            return false;
+        };
+        const auto any = [&](bool empty) {
+            return std::ranges::any_of(finding.keys, [&](const std::string &path) { return mark(path, empty); });
+        };
+        if (!any(true)) // something is stated, but not all that is asked: a feed, not its kind
+            static_cast<void>(any(false));
+    }
+    for (std::size_t i = 0; i < m_entries.size(); ++i) {
+        m_entries[i].field->setRequired(lacks[i] == Lack::required);
+        m_entries[i].field->setUsual(lacks[i] == Lack::usual);
+    }
 }
 
 void Form::removeItems(QLayout &layout) {
@@ -558,7 +626,7 @@ void Form::clear() {
 }
 
 void Form::refreshTexts() {
-    m_next->setText(tr("Next (F8)"));
+    m_chip->setToolTip(tr("Go to the next (F8)"));
     for (const Title &title : m_titles) {
         const QString text = word(title.source);
         title.shown->setText(title.argument.isEmpty() ? text : text.arg(title.argument));
@@ -590,19 +658,23 @@ void Form::refresh() {
     refreshTexts();
     if (!m_evaluated.document) {
         m_chip->hide();
-        m_next->hide();
+        m_usual->hide();
         return;
     }
     const FormSource source{*m_evaluated.document, shownTest(), m_language};
+    std::vector<bool> isEmpty;
     for (const Entry &entry : m_entries) {
         if (entry.choice) {
             const int index = entry.choice(source);
-            entry.field->showChoice(index, entry.none && index <= 0 && isMissingHere(entry.key));
+            isEmpty.push_back(entry.none && index <= 0);
+            entry.field->showChoice(index, isEmpty.back() && entry.field->isRequired());
         } else {
             const QString value = entry.value(source);
-            entry.field->show(value, value.isEmpty() && isMissingHere(entry.key));
+            isEmpty.push_back(value.isEmpty());
+            entry.field->show(value, isEmpty.back() && entry.field->isRequired());
         }
     }
+    markWhatIsMissing(isEmpty);
     m_of = source.test ? QString::fromStdString(source.test->id) : QString();
     for (const Entry &entry : m_entries)
         m_refused.giveBack(m_of, *entry.field);
@@ -617,9 +689,23 @@ void Form::refresh() {
     }
     const int missing = m_test < m_evaluated.tests.size() ? countMissing(m_evaluated, m_test, m_page) : 0;
     m_chip->setVisible(missing > 0);
-    m_next->setVisible(missing > 0);
-    if (missing > 0)
-        m_chip->setContent(missingText(missing), QStringLiteral("warn"), Token::unsure, Token::unsureGround);
+    m_chip->setContent(missingText(missing), QStringLiteral("warn"), Token::unsure, Token::unsureGround);
+    const auto usual = static_cast<int>(
+        std::ranges::count_if(m_entries, [](const Entry &entry) { return entry.field->isUsual(); }));
+    m_usual->setVisible(usual > 0);
+    m_usual->setContent(usualText(usual), {}, Token::secondaryText, Token::hover);
+}
+
+std::vector<Form::Found> Form::found() {
+    if (std::exchange(m_isStale, false))
+        refresh();
+    std::vector<Found> result;
+    for (const Entry &entry : m_entries) {
+        const QString text = entry.field->text().simplified();
+        const QString unit = entry.quantity && !text.isEmpty() ? u' ' + m_language.unit(*entry.quantity) : QString();
+        result.push_back({entry.field->edit()->accessibleName(), text + unit, entry.field->isRequired(), entry.field});
+    }
+    return result;
 }
 
 std::span<const Form::Entry> Form::fieldsOf(const Section &section) const {
@@ -697,7 +783,10 @@ void Form::refreshSummaries() {
         if (!section.head || !section.head->isFolded())
             continue;
         const int missing = countMissingIn(section);
+        const auto usual = static_cast<int>(std::ranges::count_if(
+            fieldsOf(section), [](const Entry &entry) { return entry.field->isUsual(); }));
         section.head->setSummary(missing > 0       ? missingText(missing)
+                                 : usual > 0       ? usualText(usual)
                                  : section.summary ? section.summary()
                                                    : valuesOf(section),
                                  missing > 0);
@@ -714,6 +803,10 @@ QString stated(const std::optional<double> &value, Quantity quantity, const Lang
 
 QString statedDate(const std::optional<std::string> &date, const Language &language) {
     return date && !date->empty() ? language.date(*date) : QString();
+}
+
+QString Form::usualText(int count) {
+    return tr("%1 usual").arg(count);
 }
 
 QString Form::missingText(int count) const {
@@ -735,13 +828,13 @@ bool Form::focusField(const QString &id) {
 }
 
 void Form::chainAfter(QWidget *before) {
-    setTabOrder(before, m_next);
+    setTabOrder(before, m_chip);
     chainFields();
 }
 
 /// Tab follows the bar, then the fields in their displayed order, whenever they were made.
 void Form::chainFields() {
-    QWidget *last = m_next;
+    QWidget *last = m_chip;
     const auto chain = [&last](QWidget *widget) {
         if (!(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy() || widget == last)
             return;
@@ -782,7 +875,11 @@ void Form::focusFirst() {
 }
 
 bool Form::focusNextRequired(bool forward) {
-    const auto required = [](const Entry &entry) { return entry.field->isRequired(); };
+    return focusNext(forward, &Field::isRequired);
+}
+
+bool Form::focusNext(bool forward, bool (Field::*isMarked)() const) {
+    const auto required = [isMarked](const Entry &entry) { return (entry.field->*isMarked)(); };
     const std::size_t size = m_entries.size();
     std::size_t found = size;
     if (forward) {

@@ -24,7 +24,7 @@
 
 namespace palmer::ui {
 
-class Chip;
+class LinkChip;
 class ColumnsLayout;
 class GroupLayout;
 class DocumentModel;
@@ -63,6 +63,17 @@ public:
     void chainAfter(QWidget *before);
     /// Texts typed here, for any test, that cannot be accepted.
     [[nodiscard]] QStringList refusedTexts() const;
+    /// A field as a search shows it.
+    struct Found {
+        QString name;
+        QString value;
+        bool isMissing = false;
+        QPointer<Field> field;
+    };
+    [[nodiscard]] std::vector<Found> found();
+    [[nodiscard]] Page pageShown() const { return m_page; }
+    /// Brings a field into view and focuses it.
+    void focusPart(Field &field);
     /// Focuses fields that are chosen while the page is in view.
     void follow(Selection &selection);
 
@@ -142,8 +153,6 @@ protected:
     void addWidget(QWidget *widget, int weight = 1);
     void addStretch();
     void showPart(QWidget &part); ///< scrolls to it
-    /// Brings a field into view and focuses it.
-    void focusPart(Field &field);
     void addToBar(QWidget *widget); ///< on the right of the bar above the page
     void clear();                   ///< removes everything added except the bar
 
@@ -225,7 +234,10 @@ private:
     void foldComplete();
     void unfoldAround(const QWidget &part);
     void refreshSummaries();
-    [[nodiscard]] bool isMissingHere(const char *key) const;
+    void offerCalendar(Field &field);
+    [[nodiscard]] static QString usualText(int count);
+    void markWhatIsMissing(const std::vector<bool> &isEmpty);
+    bool focusNext(bool forward, bool (Field::*isMarked)() const);
 
     const char *m_context;
     Page m_page;
@@ -235,8 +247,8 @@ private:
     QString m_of; ///< ID of the test in the fields; empty outside tests
     RefusedFields m_refused;
     Language m_language{Language::Id::english};
-    Chip *m_chip;
-    QPushButton *m_next;
+    LinkChip *m_chip; ///< leads to the next missing statement
+    LinkChip *m_usual; ///< what only practice asks for
     QHBoxLayout *m_bar;
     QScrollArea *m_scroll;
     QVBoxLayout *m_body;

@@ -54,6 +54,14 @@ protected:
     }
 };
 
+/// True if the limits of a test differ in edition or origin, which are then stated row by row.
+bool areOfSeveralOrigins(const Test &test) {
+    const auto &limits = test.limits;
+    return std::ranges::adjacent_find(limits, [](const auto &a, const auto &b) {
+               return a.second.edition != b.second.edition || a.second.source != b.second.source;
+           }) != limits.end();
+}
+
 /// A member of a parameter's limit; a limit without statements is removed.
 template <auto member>
 auto ofLimit(const std::string &id) {
@@ -66,7 +74,18 @@ auto ofLimit(const std::string &id) {
                      },
                      [id](Document &document, std::size_t index, const T &value) {
                          editTest(document, index, [&](Test &test) {
-                             editLimit(test, id, [&](Limit &limit) { limit.*member = value; });
+                             const auto any = test.limits.begin();
+                             const bool isNew = any != test.limits.end() && !test.limits.contains(id) &&
+                                                !areOfSeveralOrigins(test);
+                             const Limit like = isNew ? Limit{{}, any->second.edition, any->second.source} : Limit();
+                             const bool isOfAll = test.limits.size() > 1 && !areOfSeveralOrigins(test);
+                             editLimit(test, id, [&](Limit &limit) {
+                                 if (isNew) // one edition and origin for all
+                                     limit = like;
+                                 limit.*member = value;
+                                 if (isOfAll && !limit.value)
+                                     limit = {};
+                             });
                          });
                      }};
 }
@@ -118,24 +137,27 @@ std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
     return rows;
 }
 
-/// The common origin of all agreed limits; empty if they differ.
-Member<std::string> originOfAll() {
-    return {[](const FormSource &source) -> std::string {
-                std::optional<std::string> common;
-                for (const auto &[id, limit] : source.test ? source.test->limits : decltype(Test::limits)()) {
-                    if (common && *common != limit.source)
-                        return {};
-                    common = limit.source;
-                }
-                return common.value_or(std::string());
-            },
-            [](Document &document, std::size_t index, const std::string &value) {
-                editTest(document, index, [&](Test &test) {
-                    for (auto &[id, limit] : test.limits)
-                        limit.source = value;
-                    std::erase_if(test.limits, [](const auto &limit) { return limit.second == Limit(); });
-                });
-            }};
+/// What a member of all agreed limits is; nothing if they differ.
+template <auto member>
+auto ofAllLimits() {
+    using T = std::remove_cvref_t<decltype(std::declval<Limit &>().*member)>;
+    return Member<T>{[](const FormSource &source) {
+                         std::optional<T> common;
+                         for (const auto &[id, limit] :
+                              source.test ? source.test->limits : decltype(Test::limits)()) {
+                             if (common && *common != limit.*member)
+                                 return T();
+                             common = limit.*member;
+                         }
+                         return common.value_or(T());
+                     },
+                     [](Document &document, std::size_t index, const T &value) {
+                         editTest(document, index, [&](Test &test) {
+                             for (auto &[id, limit] : test.limits)
+                                 limit.*member = value;
+                             std::erase_if(test.limits, [](const auto &limit) { return limit.second == Limit(); });
+                         });
+                     }};
 }
 
 } // namespace
@@ -169,6 +191,9 @@ void LimitsPage::prepare() {
     QStringList wanted{QString::fromUtf8(edition->word), rotary ? QStringLiteral("°") : QStringLiteral("mm")};
     for (const LimitRow &row : rows)
         wanted << QString::fromStdString(row.id);
+    const bool rowByRow = areOfSeveralOrigins(*shown);
+    const bool hasGuardBand = shown->decisionRule.rule != Rule::simpleAcceptance;
+    wanted << QStringLiteral("rows %1, band %2").arg(rowByRow).arg(hasGuardBand);
     // The emptied limit of another edition keeps its row until the page is shown again.
     const bool onlyLess =
         wanted.size() < m_built.size() && isAncestorOf(focusWidget()) &&
@@ -188,21 +213,24 @@ void LimitsPage::prepare() {
               {QT_TR_NOOP("simple acceptance"), QT_TR_NOOP("ISO 14253-1: conformity is to be proven"),
                QT_TR_NOOP("non-conformity is to be proven")},
               decisionRuleMember(), false, 2);
-    addNumber({"guardFactor", QT_TR_NOOP("Guard band, times U")}, Quantity::number, guardFactorMember(), 1,
-              Allowed::notNegative);
+    if (hasGuardBand)
+        addNumber({"guardFactor", QT_TR_NOOP("Guard band, times U")}, Quantity::number, guardFactorMember(), 1,
+                  Allowed::notNegative);
     addSection(QT_TR_NOOP("Agreed limits"));
     addSectionButton(QT_TR_NOOP("Paste"), [this] {
         pasteLimits(0);
     })->setObjectName(QStringLiteral("pasteLimits"));
     for (const LimitRow &row : rows)
-        addLimit(row.symbol, row.terms, row.id, edition->kind);
+        addLimit(row.symbol, row.terms, row.id, edition->kind, rowByRow);
     beginRow();
-    addText({"", QT_TR_NOOP("Origin of all limits")}, originOfAll());
+    if (!rowByRow)
+        addEdition(QT_TR_NOOP("Edition of all limits"), edition->kind, ofAllLimits<&Limit::edition>());
+    addText({"", QT_TR_NOOP("Origin of all limits")}, ofAllLimits<&Limit::source>(), 5);
     addStretch();
 }
 
 void LimitsPage::addLimit(const Formula &symbol, const std::vector<const Term *> &terms,
-                          const std::string &id, Kind kind) {
+                          const std::string &id, Kind kind, bool rowByRow) {
     const bool first = m_names.empty();
     beginRow();
     auto *place = new QWidget(body());
@@ -221,21 +249,29 @@ void LimitsPage::addLimit(const Formula &symbol, const std::vector<const Term *>
     limit->edit()->installEventFilter(this);
     m_ids.push_back({id, symbol.plain()});
     m_edits.push_back(limit->edit());
+    if (first)
+        m_first = limit;
+    else
+        limit->hideLabel();
+    if (!rowByRow)
+        return addWidget(new QWidget(body()), 6); // as wide as a row with both
+    Field *edition = addEdition(QT_TR_NOOP("Agreed for edition"), kind, ofLimit<&Limit::edition>(id));
+    Field *origin = addText({"", QT_TR_NOOP("Origin")}, ofLimit<&Limit::source>(id), 3);
+    for (Field *field : {edition, origin}) {
+        if (!first)
+            field->hideLabel();
+    }
+}
+
+/// A choice among the editions of the kind and that of the test.
+Field *LimitsPage::addEdition(const char *label, Kind kind, const Member<std::optional<std::string>> &member) {
     std::vector<const char *> words{QT_TR_NOOP("of the test")};
     std::vector<std::optional<std::string>> values{std::nullopt};
     for (const Edition *edition : editionsOf(kind)) {
         words.push_back(edition->word);
         values.emplace_back(edition->word);
     }
-    Field *edition = addChoice({"", QT_TR_NOOP("Agreed for edition")}, words,
-                               choiceOf(ofLimit<&Limit::edition>(id), values), false, 3);
-    Field *origin = addText({"", QT_TR_NOOP("Source")}, ofLimit<&Limit::source>(id), 3);
-    if (first) {
-        m_first = limit;
-        return;
-    }
-    for (Field *field : {limit, edition, origin})
-        field->hideLabel();
+    return addChoice({"", label}, words, choiceOf(member, values), false, 3);
 }
 
 bool LimitsPage::eventFilter(QObject *watched, QEvent *event) {

@@ -76,6 +76,7 @@ void SectionHead::setFolded(bool folded) {
     if (m_folded == folded)
         return;
     m_folded = folded;
+    setFocusPolicy(folded ? Qt::StrongFocus : Qt::ClickFocus); // what is open is reached by its fields
     retranslate();
     QAccessible::State changed;
     changed.expanded = true;

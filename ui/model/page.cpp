@@ -37,10 +37,10 @@ QString fieldOf(const Finding &finding) {
     return finding.subject == Subject::agreedPoints ? path : path.section(u'.', -1);
 }
 
-int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page) {
+int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page, Lack lack) {
     return static_cast<int>(
         std::ranges::count_if(evaluated.tests[test]->findings, [&](const Finding &finding) {
-            return finding.missing && pageOf(finding, *evaluated.document) == page;
+            return lackOf(finding) == lack && pageOf(finding, *evaluated.document) == page;
         }));
 }
 

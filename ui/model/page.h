@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "kernel/evaluation/accordance.h"
 
 #include <QString>
 #include <cstddef>
@@ -32,6 +33,8 @@ enum class Page {
 [[nodiscard]] QString fieldOf(const Finding &finding);
 
 /// Number of statements, declarations or points missing on a page, as counted by badges and visited by F8.
-[[nodiscard]] int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page);
+/// Number of findings of a page that lack something required, or usual only.
+[[nodiscard]] int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page,
+                               Lack lack = Lack::required);
 
 } // namespace palmer::ui

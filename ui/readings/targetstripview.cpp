@@ -89,11 +89,21 @@ void TargetStripView::paintLane(QPainter &painter, std::size_t lane) const {
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(colour, 1));
-    for (std::size_t k = 1; k < shown.readings.size(); ++k)
-        painter.drawLine(place(lane, k - 1), place(lane, k));
+    std::optional<QPointF> before;
+    for (std::size_t k = 0; k < shown.readings.size(); ++k) {
+        if (shown.readings[k].isAside)
+            continue;
+        if (before)
+            painter.drawLine(*before, place(lane, k));
+        before = place(lane, k);
+    }
     for (std::size_t k = 0; k < shown.readings.size(); ++k) {
         const QPointF at = place(lane, k);
-        if (up) {
+        if (shown.readings[k].isAside) { // a cross, as it is struck through in the table
+            painter.setPen(QPen(token(Token::secondaryText, palette()), 1.4));
+            painter.drawLine(at + QPointF(-dotRadius, -dotRadius), at + QPointF(dotRadius, dotRadius));
+            painter.drawLine(at + QPointF(-dotRadius, dotRadius), at + QPointF(dotRadius, -dotRadius));
+        } else if (up) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(colour);
             painter.drawEllipse(at, dotRadius, dotRadius);

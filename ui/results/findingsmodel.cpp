@@ -100,14 +100,17 @@ void FindingsModel::addPage(const std::vector<Finding> &findings, const Document
         if (pageOf(finding, document) != page)
             continue;
         ++all;
-        missing += finding.missing ? 1 : 0;
+        missing += lackOf(finding) == Lack::required ? 1 : 0;
         worst = std::min(worst, finding.grade);
     }
     if (all == 0)
         return;
-    const QString text = missing == all && page != Page::agreedPoints
-                             ? tr("%n required statement(s) missing", nullptr, all)
-                             : tr("%n finding(s)", nullptr, all);
+    QStringList parts; // the number of the page's badge first
+    if (missing > 0)
+        parts << tr("%n required statement(s) missing", nullptr, missing);
+    if (all > missing)
+        parts << tr("%n finding(s)", nullptr, all - missing);
+    const QString text = parts.join(QStringLiteral(" · "));
     const QString line = tr("%1: %2", "page: what is found there").arg(pageName(page), text);
     m_rows.push_back({worst, page, {}, line, {}});
 }

@@ -25,6 +25,7 @@ class FindingsModel : public RowModel<FindingRow> {
     Q_OBJECT
 
 public:
+    [[nodiscard]] static QString pageName(Page page);
     using Line = FindingRow;
     using RowModel::RowModel;
 
@@ -39,7 +40,6 @@ protected:
 
 private:
     [[nodiscard]] static QString gradeWord(Grade grade);
-    [[nodiscard]] static QString pageName(Page page);
     [[nodiscard]] static QString summaryOf(const std::vector<Finding> &findings);
     void addFindings(const std::vector<Finding> &findings, const Document &document, Page page,
                      const Language &language);

@@ -7,6 +7,8 @@
 #include "ui/measures.h"
 #include "ui/theme.h"
 
+#include <QAction>
+#include <QClipboard>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QListView>
@@ -101,6 +103,18 @@ FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
             activate(index);
     });
 
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_go = new QAction(m_list);
+    m_copy = new QAction(m_list);
+    m_list->addActions({m_go, m_copy});
+    connect(m_go, &QAction::triggered, this, [this] { activate(m_list->currentIndex()); });
+    connect(m_copy, &QAction::triggered, this, [this] {
+        if (const QModelIndex current = m_list->currentIndex(); current.isValid()) {
+            const FindingRow &line = m_model.line(current.row());
+            QGuiApplication::clipboard()->setText((line.text + u' ' + line.clause).trimmed());
+        }
+    });
+
     auto *head = inRow(8, {m_title, {m_summary, 1}, m_fold});
     inColumn(this, {pageMargin, 2, 4, 4}, 2, {head, m_list});
     retranslate();
@@ -155,6 +169,8 @@ void FindingsPanel::retranslate() {
     const QString what = m_folded ? tr("Show the findings") : tr("Fold the findings away");
     nameWidget(*m_fold, what);
     m_list->setAccessibleName(tr("Findings"));
+    m_go->setText(tr("&Go to the statement"));
+    m_copy->setText(tr("&Copy the text"));
     refresh();
 }
 

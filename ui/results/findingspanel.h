@@ -52,6 +52,8 @@ private:
     ElidedLabel *m_summary;
     QToolButton *m_fold;
     QListView *m_list;
+    QAction *m_go = nullptr; ///< of the context menu
+    QAction *m_copy = nullptr;
 };
 
 } // namespace palmer::ui

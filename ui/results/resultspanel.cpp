@@ -13,6 +13,7 @@
 #include "ui/theme.h"
 #include "ui/verdictmark.h"
 
+#include <QAction>
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
@@ -122,7 +123,7 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     , m_viewNote(made<QLabel>("viewNote", trait::secondary, trait::wrapped, this))
     , m_chip(made<Chip>("verdictChip", this))
     , m_limits(made<Chip>("limitsChip", this))
-    , m_accordance(made<Chip>("accordanceChip", this))
+    , m_accordance(made<LinkChip>("accordanceChip", this))
     , m_copy(made<QToolButton>("copyResults", trait::iconOnly, trait::strongFocus, this))
     , m_table(made<ResultsTable>("results", this))
     , m_delegate(new ResultsDelegate(m_table)) {
@@ -130,6 +131,7 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     m_accordance->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); // its tooltip has the whole text
     m_rule->setSeparator(QStringLiteral(" · "));
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));
+    connect(m_accordance, &LinkChip::clicked, this, &ResultsPanel::findingsWanted);
     connect(m_copy, &QToolButton::clicked, this, &ResultsPanel::copy);
     makeTable();
     followSelection();
@@ -160,6 +162,33 @@ void ResultsPanel::makeTable() {
     header->setSectionsClickable(false);
     header->setHighlightSections(false);
     m_table->installEventFilter(this);
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    const auto add = [this](auto done) {
+        auto *action = new QAction(m_table);
+        connect(action, &QAction::triggered, this, done);
+        m_table->addAction(action);
+    };
+    add([this] { explain(m_table->currentIndex()); });
+    add([this] { copyLine(m_table->currentIndex().row()); });
+    add([this] { copy(); });
+}
+
+/// One result in words: "A = 16.2 µm, U = 3.0 µm, k = 2".
+void ResultsPanel::copyLine(int row) {
+    if (row < 0)
+        return;
+    const ResultTable &table = m_model.table();
+    const ResultLine &line = m_model.line(row);
+    const auto with = [&](const QString &number) { return number + QChar(u'\u00A0') + table.unit; };
+    QStringList parts{line.symbol.plain() + QStringLiteral(" = ") + with(line.cell("value"))};
+    if (const QString &uncertainty = line.cell("expandedUncertainty");
+        !uncertainty.isEmpty() && uncertainty != QStringLiteral("–")) {
+        parts << QStringLiteral("U = ") + with(uncertainty);
+        parts << table.coverage;
+    }
+    parts.removeAll(QString());
+    QGuiApplication::clipboard()->setText(parts.join(QStringLiteral(", ")));
+    emit said(tr("Results copied"));
 }
 
 void ResultsPanel::followSelection() {
@@ -225,7 +254,7 @@ void ResultsPanel::refresh() {
 void ResultsPanel::showVerdict() {
     const ResultTable &table = m_model.table();
     const bool any = !table.view && !table.lines.empty();
-    for (Chip *chip : {m_chip, m_limits, m_accordance})
+    for (QWidget *chip : std::initializer_list<QWidget *>{m_chip, m_limits, m_accordance})
         chip->setVisible(any);
     if (!any)
         return;
@@ -384,6 +413,9 @@ void ResultsPanel::retranslate() {
                            .arg(QKeySequence(QKeySequence::Copy).toString(QKeySequence::NativeText)));
     m_copy->setAccessibleName(tr("Copy the results as a table"));
     m_table->setAccessibleName(tr("Results"));
+    const QStringList menu{tr("&Explain"), tr("&Copy with U and unit"), tr("Copy the &table")};
+    for (qsizetype i = 0; i < menu.size(); ++i)
+        m_table->actions().at(i)->setText(menu[i]);
     m_model.retranslate();
     refresh();
 }

@@ -16,6 +16,7 @@ namespace palmer::ui {
 class ElidedLabel;
 class ResultsDelegate;
 class Chip;
+class LinkChip;
 
 /// The results of the test in view: numbers, decision scale, verdicts; if measured before and after an
 /// adjustment, both side by side instead of the scale. Arrows move, Enter or a click explains.
@@ -36,6 +37,8 @@ public:
 signals:
     /// Status bar message about an action without visible effect.
     void said(const QString &text);
+    /// The number of requirements that are not met or declared was clicked.
+    void findingsWanted();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -43,6 +46,7 @@ protected:
 
 private:
     void makeTable();
+    void copyLine(int row);
     void followSelection();
     void arrange();
     void refresh();
@@ -66,7 +70,7 @@ private:
     QLabel *m_viewNote;
     Chip *m_chip;       ///< the verdict
     Chip *m_limits;     ///< the first statement of the verdict
-    Chip *m_accordance; ///< the second
+    LinkChip *m_accordance; ///< the second; leads to the findings
     QToolButton *m_copy;
     QTableView *m_table;
     ResultsDelegate *m_delegate;

@@ -39,9 +39,12 @@
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
 #include "ui/welcome/welcomepage.h"
+#include "ui/register/registerservice.h"
 #include "ui/window/exports.h"
+#include "ui/window/liketest.h"
 #include "ui/window/noticebar.h"
 #include "ui/window/openregister.h"
+#include "ui/window/searchbox.h"
 #include "ui/window/settingsdialog.h"
 #include "ui/window/workplace.h"
 #include "ui/windowlanguage.h"
@@ -182,8 +185,42 @@ void MainWindow::makeToolBar() {
     auto *space = new QWidget(m_toolBar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_toolBar->addWidget(space);
+    m_search = new SearchBox(m_toolBar);
+    m_search->setSource([this] { return searchEntries(); });
+    connect(m_search, &SearchBox::said, m_toolBar, [this](const QString &text) { m_hint->setText(text); });
+    m_toolBar->addWidget(m_search);
+    auto *gap = new QWidget(m_toolBar);
+    gap->setFixedWidth(8);
+    m_toolBar->addWidget(gap);
     m_toolBar->addWidget(new LanguageSwitch(LanguageSwitch::Names::codes, m_toolBar));
     addToolBar(m_toolBar);
+}
+
+/// Fields, results and findings of the test, and all commands of the menus with the settings.
+std::vector<SearchEntry> MainWindow::searchEntries() {
+    std::vector<SearchEntry> entries = m_open ? workplace().searchEntries() : std::vector<SearchEntry>();
+    const auto plain = [](QString text) { return text.remove(u'&').remove(u'…'); };
+    const std::function<void(const QMenu &)> add = [&](const QMenu &menu) {
+        for (QAction *action : menu.actions()) {
+            if (const QMenu *inner = action->menu())
+                add(*inner);
+            else if (action->isEnabled() && !action->isSeparator())
+                entries.push_back({SearchGroup::settings, plain(action->text()),
+                                   action->shortcut().toString(QKeySequence::NativeText), plain(menu.title()),
+                                   [chosen = QPointer<QAction>(action)] {
+                                       if (chosen)
+                                           chosen->trigger();
+                                   }});
+        }
+    };
+    for (const QAction *action : menuBar()->actions()) {
+        if (const QMenu *menu = action->menu())
+            add(*menu);
+    }
+    for (const QString &name : SettingsDialog::names())
+        entries.push_back({SearchGroup::settings, name, {}, SettingsDialog::tr("Settings"),
+                           [this] { action(WindowAction::settings)->trigger(); }});
+    return entries;
 }
 
 QToolButton &MainWindow::toolButton(WindowAction tool) const {
@@ -268,6 +305,7 @@ Workplace &MainWindow::workplace() {
     });
     connect(&m_workplace->circles(), &CirclesPage::importAsked, action(WindowAction::import),
             &QAction::trigger);
+    connect(m_workplace, &Workplace::likeLastWanted, action(WindowAction::fillLikeLast), &QAction::trigger);
     connect(m_workplace, &Workplace::editionSet, this, &MainWindow::setEdition);
     connect(m_workplace, &Workplace::contentChanged, m_content, &QLabel::setText);
     connect(m_workplace, &Workplace::hintChanged, m_hint, &QLabel::setText);
@@ -621,6 +659,51 @@ void MainWindow::duplicateTest(bool withReadings) {
     workplace().showTest(test + 1);
 }
 
+/// One step larger or smaller, 0: the usual size.
+void MainWindow::changeTextSize(int steps) {
+    setTextSizeStep(steps == 0 ? 0 : textSizeStep() + steps);
+}
+
+/// Fills what is open as it was stated for the last test of the machine; asks for the machine if none is named.
+void MainWindow::fillLikeLast() {
+    if (!currentTest())
+        return;
+    const std::size_t test = testInView();
+    const auto &document = m_model.document();
+    const QString address = RegisterService::instance().address();
+    QString machine;
+    if (const QStringList all = document->machine == Machine() ? machinesOfRegister(address) : QStringList();
+        !all.isEmpty() && document->tests.size() < 2) {
+        bool isChosen = false;
+        machine = QInputDialog::getItem(this, tr("Like the last test of a machine"), tr("Machine"), all, 0, false,
+                                        &isChosen);
+        if (!isChosen)
+            return;
+    }
+    std::optional<LikeTest> like;
+    try {
+        like = lastTestOfMachine(document, test, m_model.path(), address, machine);
+    } catch (const Error &error) {
+        ui::showError(this, tr("The last test of the machine cannot be read"), error);
+        return;
+    }
+    if (!like) {
+        m_notice->show(tr("Neither the file nor the register has another test of this machine."),
+                       {{QStringLiteral("noticeRead"), tr("&OK"), [] {}}});
+        return;
+    }
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "fill like the last test"), [&](Document &changed) {
+        fillLike(changed, test, *like->document, like->test);
+    });
+    const Test &from = *like->document->tests[like->test];
+    const QString date = from.date ? u' ' + windowLanguage().date(*from.date) : QString();
+    const QString file = like->file.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(QFileInfo(like->file).fileName());
+    m_notice->show(tr("Filled like %1%2%3. What is measured on the day of the test is still open.")
+                       .arg(testName(from), date, file),
+                   {{QStringLiteral("undoLike"), tr("&Undo"), [this] { step(false); }},
+                    {QStringLiteral("noticeRead"), tr("&OK"), [] {}}});
+}
+
 void MainWindow::deleteTest() {
     if (!currentTest())
         return;
@@ -806,6 +889,8 @@ bool MainWindow::mayForget(const QStringList &refused) {
     box.setObjectName(QStringLiteral("closeBox"));
     box.setDefaultButton(QMessageBox::Cancel);
     box.setInformativeText(notTaken(refused));
+    box.button(QMessageBox::Discard)->setText(tr("Close &anyway")); // nothing could be saved
+    box.button(QMessageBox::Discard)->setProperty("named", true);
     return box.exec() == QMessageBox::Discard;
 }
 

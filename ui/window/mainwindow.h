@@ -40,6 +40,8 @@ class WorkBar;
 struct MeasurementFile;
 class NoticeBar;
 class ReportBar;
+class SearchBox;
+struct SearchEntry;
 class WelcomePage;
 class Workplace;
 
@@ -163,6 +165,9 @@ private:
     void exportReadings();
     void exportFigure();
     void showReport();
+    void fillLikeLast();
+    [[nodiscard]] std::vector<SearchEntry> searchEntries();
+    void changeTextSize(int steps);
     void showPlan();
     void showComparison();
     void showCompensation();
@@ -205,6 +210,7 @@ private:
     QScrollArea *m_place = nullptr; ///< holds the workplace
     Workplace *m_workplace = nullptr;
     QToolBar *m_toolBar = nullptr;
+    SearchBox *m_search = nullptr;
     QLabel *m_content = nullptr;
     QLabel *m_hint = nullptr;
     QLabel *m_state = nullptr;

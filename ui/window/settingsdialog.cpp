@@ -77,9 +77,24 @@ void SettingsDialog::setUnits() {
                     static_cast<AngleDisplay>(m_angles->currentIndex())});
 }
 
+namespace {
+
+QStringList labelsOfChoices() {
+    return {SettingsDialog::tr("&Language of the window"), SettingsDialog::tr("&Theme"), SettingsDialog::tr("L&engths"),
+            SettingsDialog::tr("An&gles")};
+}
+
+} // namespace
+
+QStringList SettingsDialog::names() {
+    QStringList names =
+        labelsOfChoices() << tr("&Keep changes safe from a crash") << tr("Keep the version &before when saving");
+    return names.replaceInStrings(QStringLiteral("&"), QString());
+}
+
 void SettingsDialog::retranslate() {
     setWindowTitle(tr("Settings"));
-    const QStringList labels{tr("&Language of the window"), tr("&Theme"), tr("L&engths"), tr("An&gles")};
+    const QStringList labels = labelsOfChoices();
     for (std::size_t i = 0; i < m_labels.size(); ++i) {
         m_labels[i]->setText(labels[static_cast<qsizetype>(i)]);
         m_labels[i]->buddy()->setAccessibleName(QString(labels[static_cast<qsizetype>(i)]).remove(u'&'));

@@ -16,6 +16,9 @@ class SettingsDialog : public Translated<QDialog> {
     Q_OBJECT
 
 public:
+    /// Names of the settings, to be searched.
+    [[nodiscard]] static QStringList names();
+
     explicit SettingsDialog(QWidget *parent = nullptr);
 
 private:

@@ -8,6 +8,8 @@
 #include "kernel/measurement/readingsaside.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
+#include "report/words/findingtext.h"
+#include "report/words/wording.h"
 #include "ui/circles/arctexts.h"
 #include "ui/circles/circlespage.h"
 #include "ui/comparison/comparisonpage.h"
@@ -329,6 +331,8 @@ void Workplace::connectParts() {
         showPage(page);
         m_selection.setField(id);
     });
+    connect(m_agreedPoints, &AgreedPointsPage::nextWanted, this, [this] { showNextMissing(true); });
+    connect(m_conditions, &ConditionsPage::likeLastWanted, this, &Workplace::likeLastWanted);
     for (Form *form : std::initializer_list<Form *>{m_conditions, m_limits, m_uncertainty})
         connect(form, &Form::nextWanted, this, [this] { showNextMissing(true); });
     connect(m_reportPages, &ReportPages::nextWanted, this, [this] { showNextMissing(true); });
@@ -345,6 +349,11 @@ void Workplace::connectParts() {
     });
     connect(m_right, &RightSide::turned, this, &Workplace::presentTurn);
     connect(m_figure, &FigureView::said, this, &Workplace::hintChanged);
+    connect(m_results, &ResultsPanel::findingsWanted, this, [this] {
+        m_findings->setFolded(false);
+        m_right->turnTo(m_findings);
+        mainPart(m_findings)->setFocus(Qt::OtherFocusReason);
+    });
     connect(m_results, &ResultsPanel::said, this, &Workplace::hintChanged);
     connect(m_explanation, &ExplanationCard::said, this, &Workplace::hintChanged);
     connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
@@ -551,6 +560,50 @@ void Workplace::presentResults() {
     m_findings->show(m_evaluated, test);
 }
 
+std::vector<SearchEntry> Workplace::searchEntries() {
+    std::vector<SearchEntry> entries;
+    for (Form *form : findChildren<Form *>()) {
+        const Page page = form->pageShown();
+        if (tabOf(page) >= 0 && !hasPage(page))
+            continue;
+        for (const Form::Found &found : form->found())
+            entries.push_back({SearchGroup::fields, found.name,
+                               found.isMissing ? tr("not stated") : found.value, FindingsModel::pageName(page),
+                               [this, page, form, field = found.field] {
+                                   showPage(page);
+                                   if (field)
+                                       form->focusPart(*field);
+                               },
+                               found.isMissing});
+    }
+    const std::size_t test = m_selection.test();
+    if (test >= m_evaluated.tests.size())
+        return entries;
+    const TestEvaluation &evaluation = *m_evaluated.tests[test];
+    for (const Parameter &parameter : evaluation.parameters) {
+        const QString value = parameter.value ? windowLanguage().quantity(*parameter.value, parameter.term.quantity, 1)
+                                              : QStringLiteral("–");
+        entries.push_back({SearchGroup::results,
+                           QStringLiteral("%1 · %2").arg(QString::fromStdString(plainSymbol(parameter)),
+                                                         windowLanguage().text(parameter.term.name)),
+                           value, FindingsModel::tr("Results"),
+                           [this, id = QString::fromStdString(parameterId(parameter))] {
+                               m_selection.setParameter(id);
+                           }});
+    }
+    for (const Finding &finding : evaluation.findings) {
+        const Page page = pageOf(finding, *m_evaluated.document);
+        entries.push_back({SearchGroup::findings, findingText(finding, windowLanguage()),
+                           clauseText(finding.clause, windowLanguage()), FindingsModel::pageName(page),
+                           [this, page, id = fieldOf(finding)] {
+                               showPage(page);
+                               m_selection.setField(id);
+                           },
+                           lackOf(finding) == Lack::required});
+    }
+    return entries;
+}
+
 bool Workplace::isReportPage() const {
     return tabOf(m_selection.page()) < 0;
 }
@@ -576,6 +629,7 @@ void Workplace::presentPage() {
     m_right->setVisible(page != Page::sheet); // whose rows need the width, and are no test's
     m_right->setInstead(page == Page::comparison ? m_comparisonSide : nullptr);
     presentCard();
+    presentStatus();
 }
 
 void Workplace::presentCard() {
@@ -620,7 +674,7 @@ void Workplace::presentStatusOf(const PositioningMeasurement &measurement) {
                                      : tr("runs: %1 ↑, %2 ↓").arg(up).arg(down);
     emit contentChanged(targets + QStringLiteral(" · ") + runs);
     const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
-    if (!place || place->run >= measurement.runs.size() ||
+    if (m_selection.page() != Page::readings || !place || place->run >= measurement.runs.size() ||
         place->target >= measurement.runs[place->run].deviations.size()) {
         emit hintChanged({});
         return;
@@ -636,7 +690,7 @@ void Workplace::presentStatusOf(const PositioningMeasurement &measurement) {
         tr("target %1, run %2 %3: %4")
             .arg(place->target + 1)
             .arg(count)
-            .arg(arrow, value ? windowLanguage().quantity(*value, quantity, decimalsOf(*value, quantity))
+            .arg(arrow, value ? windowLanguage().quantity(*value, quantity, readingDecimals(measurement))
                               : tr("no reading"));
     if (const auto next = nextInCycle(measurement, *place); next && !m_selection.hovered())
         hint += QStringLiteral(" · ") + tr("next: target %1").arg(next->target + 1);
@@ -689,7 +743,7 @@ std::map<Page, QStringList> Workplace::missingFields() const {
     if (test >= m_evaluated.tests.size())
         return missing;
     for (const Finding &finding : m_evaluated.tests[test]->findings) {
-        if (finding.missing)
+        if (lackOf(finding) == Lack::required)
             missing[pageOf(finding, *m_evaluated.document)] += fieldOf(finding);
     }
     return missing;

@@ -9,6 +9,7 @@
 #include "ui/navigation/navigationmodel.h"
 #include "ui/qtforward.h"
 #include "ui/translated.h"
+#include "ui/window/search.h"
 
 #include <QPointer>
 #include <QStringList>
@@ -85,12 +86,16 @@ public:
     /// Moves through the missing statements of the current test. False if none is missing.
     bool showNextMissing(bool forward);
 
+    /// What can be found: fields of all pages, results, findings of the test in view.
+    [[nodiscard]] std::vector<SearchEntry> searchEntries();
+
 signals:
     void viewChosen(std::size_t test, const QString &edition);
     void editionSet(std::size_t test, const QString &edition);
     /// Status bar texts on the current test and on what the pointer is at.
     void contentChanged(const QString &text);
     void hintChanged(const QString &text);
+    void likeLastWanted();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;

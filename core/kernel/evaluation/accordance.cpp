@@ -27,6 +27,15 @@ int countOpenInPractice(std::span<const Finding> findings) {
     }));
 }
 
+Lack lackOf(const Finding &finding) {
+    if (!finding.missing)
+        return Lack::none;
+    const bool ofConditions =
+        finding.subject == Subject::conditions || finding.subject == Subject::namedInstruments;
+    const bool isUsual = finding.source == Source::laboratory || finding.grade == Grade::note;
+    return ofConditions && isUsual ? Lack::usual : Lack::required;
+}
+
 Accordance accordanceOf(std::span<const Finding> findings, const Edition *edition) {
     if (!edition || edition->textRead == TextRead::none)
         return Accordance::notChecked;

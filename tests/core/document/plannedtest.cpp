@@ -123,6 +123,14 @@ private slots:
         QCOMPARE(choice(filledIn(request, *findEdition("ISO 230-2:2006"))).interval, std::optional(45.0));
     }
 
+    /// 358° in seven parts: 51.142857, not 51.142857142857146.
+    void theIntervalIsStatedInFewDigits() {
+        TargetPlan plan;
+        QVERIFY(!statedInterval(plan));
+        plan.interval = 358.0 / 7;
+        QCOMPARE(statedInterval(plan).value(), 51.142857);
+    }
+
     /// Targets, runs, directions and cycle of a test, however they were chosen.
     void aTestIsItsOwnPlan() {
         QVERIFY(!planOf(Test()));

@@ -141,6 +141,92 @@ private slots:
         QVERIFY(drift == newDriftTest(next.axis));
     }
 
+    /// A repeat takes all but what is measured on its day, and overwrites nothing.
+    void fillsLikeTheLastTest() {
+        Document source;
+        source.machine.name = "Mill";
+        source.machine.serialNumber = "7";
+        source.instruments.resize(1);
+        source.instruments[0].id = "laser";
+        source.instruments[0].description = "Laser";
+        Test last = newTest(wanted());
+        last.date = "2026-11-20";
+        last.instruments = {"laser"};
+        last.purpose = Purpose::acceptance;
+        last.limits["A"].value = 0.02;
+        last.agreedPoints = {{"warmUp", AgreementState::agreed, "60 min"},
+                             {"otherAxes", AgreementState::agreed, "Y 250"}};
+        auto &stated = std::get<PositioningMeasurement>(last.measurement);
+        stated.axis.positionFeedback = "linear scale";
+        stated.conditions.common.sensors = {{SensorMeasures::machine, "table", 20.1, 20.4, {}}};
+        stated.conditions.common.otherAxes = "Y 250";
+        stated.conditions.common.load = "none";
+        stated.conditions.dwell = 3;
+        stated.conditions.airPressure = 1008;
+        stated.conditions.gradientPerHour = 0.4;
+        stated.uncertainty.misalignmentRange = 1;
+        stated.uncertainty.environmentalVariation = 0.6;
+        source.tests = {std::make_shared<const Test>(last)};
+
+        Document document;
+        document.machine.name = "Mill 2";
+        document.instruments.resize(1); // another one under that name
+        document.instruments[0].id = "laser";
+        document.instruments[0].description = "Ball bar";
+        Test own = newTest(wanted());
+        std::get<PositioningMeasurement>(own.measurement).conditions.dwell = 5;
+        document.tests = {std::make_shared<const Test>(own)};
+        fillLike(document, 0, source, 0);
+        const Test &filled = *document.tests[0];
+        const auto &measurement = std::get<PositioningMeasurement>(filled.measurement);
+        QCOMPARE(document.machine.name, std::string("Mill 2"));
+        QCOMPARE(document.machine.serialNumber, std::string("7"));
+        QCOMPARE(document.instruments.size(), std::size_t{2});
+        QCOMPARE(filled.instruments, std::vector<std::string>{document.instruments[1].id});
+        QVERIFY(filled.purpose == Purpose::acceptance && filled.limits == last.limits);
+        QCOMPARE(filled.agreedPoints.size(), std::size_t{2});
+        QCOMPARE(measurement.axis.positionFeedback, std::string("linear scale"));
+        QCOMPARE(measurement.conditions.common.otherAxes, std::string("Y 250"));
+        QCOMPARE(measurement.conditions.common.load, std::string("none"));
+        QCOMPARE(measurement.conditions.dwell, std::optional(5.0)); // was stated
+        QCOMPARE(measurement.uncertainty.misalignmentRange, std::optional(1.0));
+        QVERIFY(measurement.conditions.common.sensors ==
+                (std::vector<Sensor>{{SensorMeasures::machine, "table", {}, {}, {}}}));
+        QVERIFY(!filled.date && !measurement.conditions.airPressure && !measurement.conditions.gradientPerHour &&
+                !measurement.uncertainty.environmentalVariation);
+        const Document once = document;
+        fillLike(document, 0, source, 0);
+        QVERIFY(document == once);
+
+        Document ofY = document;
+        Test y = newTest(wanted());
+        std::get<PositioningMeasurement>(y.measurement).axis.name = "Y";
+        ofY.tests.push_back(std::make_shared<const Test>(y));
+        QCOMPARE(lastTestLike(ofY, 1), std::optional(std::size_t{0}));
+        fillLike(ofY, 1, ofY, 0);
+        const auto &taken = std::get<PositioningMeasurement>(ofY.tests[1]->measurement);
+        QVERIFY(ofY.tests[1]->limits.empty() && taken.conditions.common.otherAxes.empty()); // of X alone
+        QCOMPARE(taken.conditions.common.load, std::string("none"));
+        QVERIFY(!lastTestLike(source, 0));
+    }
+
+    /// The newest, but rather an older one of the same axis.
+    void theLastTestIsOfTheSameAxis() {
+        Document document;
+        const auto add = [&](const char *axis, const char *date) {
+            Test test = newTest(wanted());
+            std::get<PositioningMeasurement>(test.measurement).axis.name = axis;
+            test.date = date;
+            document.tests.push_back(std::make_shared<const Test>(test));
+        };
+        add("X", "2026-01-02");
+        add("X", "2026-01-01");
+        add("Y", "2026-01-03");
+        add("X", "2026-01-04");
+        QCOMPARE(lastTestLike(document, 3), std::optional(std::size_t{0}));
+        QCOMPARE(lastTestLike(document, 2), std::optional(std::size_t{3}));
+    }
+
     void removesWhatNamesTheTest() {
         Document document;
         Test drift;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "figures/targetstrip.h"
 #include "figures/testfigures.h"
 
 #include "core/kernel/evaluation/positioningdata.h"
@@ -100,6 +101,7 @@ private slots:
     void nothingMeasured();
     void otherRanges();
     void everythingLiesInTheRanges();
+    void aReadingSetAsideStaysOnTheStrip();
     void limitsStandBesideTheirDimensions();
 };
 
@@ -388,6 +390,23 @@ void DeviationFigure::limitsStandBesideTheirDimensions() {
         deviationFigure(test, evaluated(test, "ISO 230-2:2014"), Language(Language::Id::english));
     QVERIFY(!dimension(view, "R")->limit);
     QVERIFY(view.legend.back().sample != LegendSample::limit);
+}
+
+/// A reading that was set aside stays where it was, as one that no statistic counts.
+void DeviationFigure::aReadingSetAsideStaysOnTheStrip() {
+    Test test = example1988("ISO 230-2:2006");
+    const Language language(Language::Id::english);
+    const TargetStrip before = targetStrip(test, evaluated(test), 2, language);
+    auto &measured = measurement(test);
+    const double value = *measured.runs[0].deviations[2];
+    measured.runs[0].deviations[2].reset();
+    measured.excluded = {{1, 3, value, "vibration"}};
+    const TargetStrip after = targetStrip(test, evaluated(test), 2, language);
+    const std::size_t lane = measured.runs[0].approach == Direction::positive ? 0 : 1;
+    QCOMPARE(after.lanes[lane].readings.size(), before.lanes[lane].readings.size());
+    QVERIFY(!before.lanes[lane].readings[0].isAside && after.lanes[lane].readings[0].isAside);
+    QCOMPARE(after.lanes[lane].readings[0].value, before.lanes[lane].readings[0].value);
+    QVERIFY(after.lanes[lane].mean != before.lanes[lane].mean);
 }
 
 QTEST_GUILESS_MAIN(DeviationFigure)

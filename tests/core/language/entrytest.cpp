@@ -6,6 +6,7 @@
 
 #include "language/language.h"
 
+#include <QDate>
 #include <QTest>
 
 using namespace palmer;
@@ -23,6 +24,8 @@ private slots:
     void nothingIsNoValueAndNoMistake();
     void readsDates_data();
     void readsDates();
+    void aPowerOfTenIsRefusedAsOne();
+    void anAmbiguousDateOffersBothReadings();
     void readsTimes();
     void readsIntervals();
 };
@@ -110,7 +113,7 @@ void EntryTest::readsWhatIsShown() {
             }
         }
         for (const char *date : {"2026-01-01", "2026-08-12", "1999-12-31", "2024-02-29"}) {
-            const MomentEntry entry = enteredDate(language.date(date));
+            const MomentEntry entry = enteredDate(language.date(date), language);
             QVERIFY2(entry.value && *entry.value == date, qPrintable(language.date(date)));
         }
     }
@@ -119,49 +122,72 @@ void EntryTest::readsWhatIsShown() {
 void EntryTest::nothingIsNoValueAndNoMistake() {
     QVERIFY(!enteredNumber(u" ", Quantity::number).value);
     QVERIFY(!enteredNumber(u" ", Quantity::number).refusal);
-    QVERIFY(!enteredDate(u"").value);
-    QVERIFY(!enteredDate(u"").refusal);
+    const Language french(Language::Id::french);
+    QVERIFY(!enteredDate(u"", french).value && !enteredDate(u"", french).refusal);
     QVERIFY(!enteredTime(u"").refusal);
     QVERIFY(!enteredInterval(u"", Quantity::position).refusal);
 }
 
 void EntryTest::readsDates_data() {
     QTest::addColumn<QString>("typed");
-    QTest::addColumn<QString>("date"); // empty: refused
-    QTest::newRow("as in the file") << "2026-03-12"
-                                    << "2026-03-12";
-    QTest::newRow("points, the day first") << "12.03.2026"
-                                           << "2026-03-12";
-    QTest::newRow("slashes, the day first") << "5/3/2026"
-                                            << "2026-03-05";
-    QTest::newRow("French words") << "1er août 2026"
-                                  << "2026-08-01";
-    QTest::newRow("English words") << "1 August 2026"
-                                   << "2026-08-01";
-    QTest::newRow("a month in short") << "12 mars. 2026"
-                                      << "2026-03-12";
-    QTest::newRow("capitals") << "12 MAI 2026"
-                              << "2026-05-12";
-    QTest::newRow("a day that does not exist") << "31.02.2026"
-                                               << "";
-    QTest::newRow("no leap year") << "29.02.2026"
-                                  << "";
-    QTest::newRow("two digits of a year") << "12.03.26"
-                                          << "";
-    QTest::newRow("juin or juillet") << "1 jui 2026"
-                                     << "";
-    QTest::newRow("no month") << "12 brumaire 2026"
-                              << "";
-    QTest::newRow("words") << "yesterday"
-                           << "";
+    QTest::addColumn<QString>("french"); // empty: refused
+    QTest::addColumn<QString>("english");
+    const auto row = [](const char *name, const char *typed, const char *french, const char *english) {
+        QTest::newRow(name) << QString(typed) << QString(french) << QString(english);
+    };
+    const auto same = [&](const char *name, const char *typed, const char *date) { row(name, typed, date, date); };
+    same("as in the file", "2026-03-12", "2026-03-12");
+    same("points, the day first", "12.03.2026", "2026-03-12");
+    row("slashes: the day first, or one of two", "5/3/2026", "2026-03-05", "");
+    row("two digits of a year", "12/03/26", "2026-03-12", "");
+    row("hyphens", "12-03-26", "2026-03-12", "");
+    same("both readings are one", "3/3/26", "2026-03-03");
+    same("only a day first exists", "25/03/2026", "2026-03-25");
+    row("only a month first exists", "03/25/2026", "", "2026-03-25");
+    same("points and two digits", "12.03.26", "2026-03-12");
+    same("the century before", "12.03.99", "1999-03-12");
+    same("French words", "1er août 2026", "2026-08-01");
+    same("English words", "1 August 2026", "2026-08-01");
+    same("a month in short", "12 mars. 2026", "2026-03-12");
+    same("capitals", "12 MAI 2026", "2026-05-12");
+    same("a day that does not exist", "31.02.2026", "");
+    same("no leap year", "29.02.2026", "");
+    same("juin or juillet", "1 jui 2026", "");
+    same("no month", "12 brumaire 2026", "");
+    same("words", "yesterday", "");
 }
 
 void EntryTest::readsDates() {
     QFETCH(QString, typed);
-    QFETCH(QString, date);
-    const MomentEntry entry = enteredDate(typed);
-    QCOMPARE(QString::fromStdString(entry.value.value_or("")), date);
-    QCOMPARE(entry.refusal.has_value(), date.isEmpty());
+    for (const Language::Id id : {Language::Id::french, Language::Id::english}) {
+        QFETCH(const QString, french);
+        QFETCH(const QString, english);
+        const QString date = id == Language::Id::french ? french : english;
+        const MomentEntry entry = enteredDate(typed, Language(id));
+        QCOMPARE(QString::fromStdString(entry.value.value_or("")), date);
+        QCOMPARE(entry.refusal.has_value(), date.isEmpty());
+    }
+}
+
+/// A number is refused for what it is, not as none at all.
+void EntryTest::aPowerOfTenIsRefusedAsOne() {
+    for (const char16_t *typed : {u"1e99", u"2.5E-3", u"-3e5"})
+        QVERIFY(QByteArray(enteredNumber(typed, Quantity::number).refusal->source).contains("power of ten"));
+    for (const char16_t *typed : {u"e", u"1e", u"12 abc"})
+        QCOMPARE(QByteArray(enteredNumber(typed, Quantity::number).refusal->source), QByteArray("not a number"));
+}
+
+/// Either is one word away.
+void EntryTest::anAmbiguousDateOffersBothReadings() {
+    const Language english(Language::Id::english);
+    const MomentEntry entry = enteredDate(u"12/03/26", english);
+    const QString said = english.sentence(*entry.refusal).replace(QChar(u'\u00A0'), u' ');
+    QVERIFY2(said.contains("12 March 2026") && said.contains("3 December 2026"), qPrintable(said));
+    const std::string today = QDate::currentDate().toString(Qt::ISODate).toStdString();
+    QCOMPARE(enteredDate(u"today", english).value, std::optional(today));
+    QCOMPARE(enteredDate(u"Aujourd\u2019hui", Language(Language::Id::french)).value, std::optional(today));
+    const MomentEntry none = enteredDate(u"soon", english);
+    QVERIFY(english.sentence(*none.refusal).contains("2026-03-12")); // says what is accepted
 }
 
 void EntryTest::readsTimes() {

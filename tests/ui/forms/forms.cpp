@@ -7,6 +7,7 @@
 #include "ui/forms/conditionspage.h"
 #include "ui/forms/equipmentpages.h"
 #include "ui/forms/identificationpage.h"
+#include "document/edits.h"
 #include "ui/forms/limitspage.h"
 #include "ui/forms/sectionhead.h"
 
@@ -192,11 +193,18 @@ private slots:
         const EvaluatedDocument evaluated = evaluatedDocument(example1988("ISO 230-2:2006"));
         page.show(evaluated, 0);
         Field *humidity = fields(page, u"airHumidity"_s).at(0);
-        QVERIFY(humidity->isRequired());
+        QVERIFY(humidity->isUsual() && !humidity->isRequired()); // only practice asks for it
         QVERIFY(!humidity->edit()->accessibleDescription().isEmpty());
-        for (Field *field : page.findChildren<Field *>())
-            QVERIFY(!field->isRequired() || field->text().isEmpty());
-        auto *chip = page.findChild<Chip *>(u"missingChip"_s);
+        int required = 0;
+        int usual = 0;
+        for (Field *field : page.findChildren<Field *>()) {
+            QVERIFY((!field->isRequired() && !field->isUsual()) || field->text().isEmpty());
+            required += field->isRequired();
+            usual += field->isUsual();
+        }
+        QCOMPARE(required, countMissing(evaluated, 0, Page::conditions)); // as many marks as are counted
+        QCOMPARE(page.findChild<LinkChip *>(u"usualChip"_s)->text(), u"%1 usual"_s.arg(usual));
+        auto *chip = page.findChild<LinkChip *>(u"missingChip"_s);
         QVERIFY(chip->isVisibleTo(&page));
         QVERIFY2(chip->text().startsWith(QString::number(countMissing(evaluated, 0, Page::conditions))),
                  qPrintable(chip->text()));
@@ -317,7 +325,7 @@ private slots:
         DocumentModel model;
         AgreedPointsPage page(model, selection);
         page.show(evaluatedDocument(test), 0);
-        QCOMPARE(page.findChild<Chip *>(u"missingChip"_s)->text(), u"6 of 9 points to be agreed"_s);
+        QCOMPARE(page.findChild<LinkChip *>(u"missingChip"_s)->text(), u"4 of 9 points to be agreed"_s);
         QCOMPARE(page.findChild<QLineEdit *>(u"field.agreedPoints.warmUp"_s)->text(), u"30 min"_s);
         const auto state = [&](const QString &point) {
             return page.findChild<QLineEdit *>(u"field.agreedPoints."_s + point)->accessibleDescription();
@@ -618,10 +626,8 @@ private slots:
     void wordsAreChosen() {
         Edited<ConditionsPage> edited(documentOf(example1988("ISO 230-2:1988")));
         Field *correction = edited.enter(u"correctionTo20"_s);
-        QVERIFY(correction->isRequired());
         choose(correction, 2);
         QCOMPARE(edited.conditions().common.correctionTo20, CorrectionTo20::appliedByInstrument);
-        QVERIFY(!correction->isRequired());
         choose(edited.enter(u"complete"_s), 1);
         choose(edited.enter(u"levelled"_s), 2);
         QCOMPARE(edited.conditions().common.complete, std::optional(true));
@@ -798,6 +804,28 @@ private slots:
         QCOMPARE(edited.test().decisionRule.guardFactor, 1.0);
     }
 
+    /// Edition and origin are those of all limits, a further one has them too; the guard band belongs to two rules.
+    void limitsHaveOneEditionAndOrigin() {
+        Edited<LimitsPage> edited(example());
+        QVERIFY(fields(edited.page, u"guardFactor"_s).isEmpty()); // simple acceptance
+        edited.type(u"limits"_s, u"20"_s);
+        const auto setOrigin = [&](const char *origin) {
+            edited.model.edit("test", [&](Document &document) {
+                editTest(document, 0, [&](Test &test) { test.limits["A"].source = origin; });
+            });
+        };
+        setOrigin("contract");
+        edited.type(u"limits"_s, u"10"_s, 3);
+        QCOMPARE(edited.test().limits.size(), std::size_t(2));
+        for (const auto &[id, limit] : edited.test().limits)
+            QCOMPARE(limit.source, std::string("contract"));
+        setOrigin("another");
+        int origins = 0;
+        for (Field *field : edited.page.findChildren<Field *>())
+            origins += field->edit()->accessibleName() == u"Origin"_s;
+        QVERIFY(origins > 1); // row by row, as they differ
+    }
+
     void limitsArePastedFromASpreadsheet() {
         Edited<LimitsPage> edited(example());
         edited.type(u"limits"_s, u"20"_s);
@@ -964,7 +992,7 @@ private slots:
         SectionHead *usual = section(edited.page, "Usual in practice");
         usual->click();
         QVERIFY(usual->isFolded());
-        QVERIFY2(usual->summary().endsWith(u"missing"_s), qPrintable(usual->summary()));
+        QVERIFY2(usual->summary().endsWith(u"usual"_s), qPrintable(usual->summary()));
     }
 
     /// A group of which the edition misses something stands above the others, until the page is left.

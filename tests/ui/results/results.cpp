@@ -87,7 +87,7 @@ private slots:
         QCOMPARE(chip->text(), u"limits exceeded"_s);
         QVERIFY(!chip->isVisibleTo(&panel)); // which the first statement says already
         QCOMPARE(panel.findChild<Chip *>(u"limitsChip"_s)->text(), u"limits exceeded"_s);
-        const auto *accordance = panel.findChild<Chip *>(u"accordanceChip"_s);
+        const auto *accordance = panel.findChild<LinkChip *>(u"accordanceChip"_s);
         QVERIFY2(accordance->text().endsWith(u"not met"_s), qPrintable(accordance->text()));
         QVERIFY2(accordance->toolTip().startsWith(u"Test NOT in accordance with ISO 230-2:2006"_s),
                  qPrintable(accordance->toolTip()));

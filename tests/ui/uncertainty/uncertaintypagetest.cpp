@@ -338,7 +338,7 @@ private slots:
         document.tests[0] = std::make_shared<const palmer::Test>(test);
         Edited edited(document);
         edited.page.resize(600, 300);
-        QCOMPARE(edited.part<Chip>("missingChip")->text(), u"simulation not made yet"_s);
+        QCOMPARE(edited.part<LinkChip>("missingChip")->text(), u"simulation not made yet"_s);
         auto *button = edited.part<QPushButton>("simulate");
         QVERIFY(button->visibleRegion().isEmpty());
         QVERIFY(edited.page.focusNextRequired(true));
@@ -350,7 +350,7 @@ private slots:
         QVERIFY(button->hasFocus());
         QTest::keyClick(button, Qt::Key_Space);
         QTRY_VERIFY_WITH_TIMEOUT(edited.evaluation().uncertainty.simulation, 60000);
-        QVERIFY(!edited.part<Chip>("missingChip")->isVisible());
+        QVERIFY(!edited.part<LinkChip>("missingChip")->isVisible());
     }
 
     void whichMethodDecidesIsBoldAndSaid() {

@@ -387,7 +387,7 @@ void KeyboardTest::undoTakesBackWhatIsBeingTypedFirst() {
         return static_cast<QLineEdit *>(nullptr);
     };
     QLineEdit *title = editOf(u"Title of the test"_s);
-    QLineEdit *time = editOf(u"Time"_s);
+    QLineEdit *time = editOf(u"Time of day"_s);
     QVERIFY(title && time);
     setText(title, u"AAA"_s);
     const QString before = time->text();

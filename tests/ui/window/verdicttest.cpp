@@ -102,7 +102,7 @@ void VerdictTest::theHeadOfTheResultsSaysBoth() {
             continue;
         shown.window->workplace().showTest(i);
         const auto *limits = shown.find<Chip>("limitsChip");
-        const auto *accordance = shown.find<Chip>("accordanceChip");
+        const auto *accordance = shown.find<LinkChip>("accordanceChip");
         QVERIFY(limits->isVisible() && accordance->isVisible());
         QCOMPARE(limits->text(), limitsWords(evaluation, *evaluated.document->tests[i]));
         // Its name is the sentence of the report; it names the standard, and how many are unmet.
