@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/comparedtests.h"
 
+#include "document/diagnosedtest.h"
+#include "kernel/diagnosis/sourcewords.h"
 #include "kernel/measurement/testfacts.h"
+#include "kernel/numerics/leastsquarescircle.h"
+#include "kernel/numerics/studentt.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <mutex>
+#include <numbers>
 
 namespace palmer {
 
@@ -15,6 +21,96 @@ TestComparison compare(const PlacedTest &before, const PlacedTest &after, const 
         return PairedTest{&placed.test(), surroundingsOf(*placed.evaluated->document, placed.index)};
     };
     return compareTwoTests(sideOf(before), sideOf(after), options);
+}
+
+std::vector<ComparedSource> comparedSources(const PlacedTest &before, const PlacedTest &after) {
+    const auto was = diagnosedTest(*before.evaluated, before.index);
+    const auto is = diagnosedTest(*after.evaluated, after.index);
+    std::vector<ComparedSource> result;
+    if (!was || !is)
+        return result;
+    const auto isValued = [](const SourceEstimate &source) {
+        return source.separable && source.value && source.u && !source.indication &&
+               source.id != InfluenceId::centre; // the set-up of the instrument
+    };
+    for (const SourceEstimate &now : is->diagnosis.sources) {
+        const auto then = std::ranges::find_if(was->diagnosis.sources, [&](const SourceEstimate &one) {
+            return one.id == now.id && one.axis == now.axis && isValued(one);
+        });
+        if (!isValued(now) || then == was->diagnosis.sources.end())
+            continue;
+        const double a = *then->u * *then->u;
+        const double b = *now.u * *now.u;
+        const double sum = a * a / then->degreesOfFreedom + b * b / now.degreesOfFreedom;
+        const double freedom = sum > 0 ? (a + b) * (a + b) / sum : 1;
+        constexpr double most = 1e6;
+        const int degrees = static_cast<int>(std::clamp(freedom, 1.0, most));
+        result.push_back({now.id, sourceName(now), *then->value, *now.value,
+                          studentQuantile975(degrees) * std::sqrt(a + b)});
+    }
+    return result;
+}
+
+namespace {
+
+constexpr int fullTurn = 360;   ///< degrees
+constexpr double reach = 5; ///< degrees: farther apart, nothing is known between two points
+constexpr double toDegrees = 180 / std::numbers::pi;
+
+/// The deviations of a path about its least squares centre, from 0° on, mm.
+std::vector<std::pair<double, double>> aboutItsCentre(const EvaluatedPath &path) {
+    const PointsView points{path.points.x, path.points.y};
+    const LeastSquaresCircle circle = leastSquaresCircle(points);
+    std::vector<std::pair<double, double>> result;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const Point point = points[i];
+        const double x = point.x - circle.centre.x;
+        const double y = point.y - circle.centre.y;
+        const double angle = std::atan2(y, x) * toDegrees;
+        result.emplace_back(angle < 0 ? angle + fullTurn : angle, std::hypot(x, y) - circle.radius);
+    }
+    std::ranges::sort(result);
+    return result;
+}
+
+std::optional<double> at(const std::vector<std::pair<double, double>> &path, double angle) {
+    const auto above =
+        std::ranges::lower_bound(path, angle, {}, [](const auto &point) { return point.first; });
+    const auto next =
+        above == path.end() ? std::pair(path.front().first + fullTurn, path.front().second) : *above;
+    const auto last =
+        above == path.begin() ? std::pair(path.back().first - fullTurn, path.back().second) : *std::prev(above);
+    const double gap = next.first - last.first;
+    if (gap > reach)
+        return std::nullopt;
+    return gap > 0 ? std::lerp(last.second, next.second, (angle - last.first) / gap) : next.second;
+}
+
+} // namespace
+
+std::vector<ComparedPath> comparedPaths(const PlacedTest &before, const PlacedTest &after) {
+    std::vector<ComparedPath> result;
+    const auto *was = std::get_if<CircularResults>(&before.evaluation().results);
+    const auto *is = std::get_if<CircularResults>(&after.evaluation().results);
+    if (!was || !is)
+        return result;
+    for (const EvaluatedPath &now : is->paths) {
+        const auto then = std::ranges::find(was->paths, now.sense, &EvaluatedPath::sense);
+        if (then == was->paths.end() || now.points.size() < 3 || then->points.size() < 3)
+            continue;
+        const auto first = aboutItsCentre(*then);
+        const auto second = aboutItsCentre(now);
+        ComparedPath path{now.sense, {}};
+        for (int angle = 0; angle <= fullTurn; ++angle) {
+            const auto a = at(first, angle % fullTurn);
+            const auto b = at(second, angle % fullTurn);
+            if (a && b)
+                path.points.emplace_back(angle, *b - *a);
+        }
+        if (!path.points.empty())
+            result.push_back(std::move(path));
+    }
+    return result;
 }
 
 std::shared_ptr<const StatedComparison> statedComparison(const EvaluatedDocument &evaluated,

@@ -5,6 +5,7 @@
 #include "document/evaluateddocument.h"
 #include "document/filewords.h"
 #include "kernel/comparison/comparetests.h"
+#include "kernel/diagnosis/diagnosis.h"
 
 #include <memory>
 #include <optional>
@@ -37,6 +38,25 @@ struct StatedComparison {
 /// Null if the test states none.
 [[nodiscard]] std::shared_ptr<const StatedComparison> statedComparison(const EvaluatedDocument &evaluated,
                                                                        std::size_t test);
+
+/// A machine error that the diagnosis of both circles values, in base units. U: t(0.975; ν)·√(u_a² + u_b²), ν by
+/// Welch and Satterthwaite.
+struct ComparedSource {
+    InfluenceId id = InfluenceId::centre;
+    Message name;
+    double before = 0;
+    double after = 0;
+    double uncertainty = 0;
+};
+[[nodiscard]] std::vector<ComparedSource> comparedSources(const PlacedTest &before, const PlacedTest &after);
+
+/// The difference of the paths of one sense, each about its own least squares centre; after − before, mm, over
+/// whole degrees. Angles where one of them has no points within a few degrees are left out.
+struct ComparedPath {
+    Sense sense = Sense::counterclockwise;
+    std::vector<std::pair<double, double>> points;
+};
+[[nodiscard]] std::vector<ComparedPath> comparedPaths(const PlacedTest &before, const PlacedTest &after);
 
 /// Returns the first judged test of `others` that is comparable with this one: same kind, axis or plane,
 /// directions and radius. Null: none.

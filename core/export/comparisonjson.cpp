@@ -69,6 +69,28 @@ QByteArray comparisonJson(const TestComparison &comparison, const PlacedTest &be
         curves.push_back({{"approach", wordOrNull(curve.direction)},
                           {"difference", listOf(curve.values)},
                           {"band", listOf(curve.band)}});
+    Json sources = Json::array();
+    for (const ComparedSource &one : comparedSources(before, after))
+        sources.push_back(
+            {{"id", influence(one.id).word},
+             {"name", language.sentence(one.name).toStdString()},
+             {"before", shownParameter(one.id, one.before)},
+             {"after", shownParameter(one.id, one.after)},
+             {"difference", shownParameter(one.id, one.after) - shownParameter(one.id, one.before)},
+             {"expandedUncertainty", number(shownParameter(one.id, one.uncertainty))},
+             {"unit", influence(one.id).unit}});
+    Json paths = Json::array();
+    for (const ComparedPath &path : comparedPaths(before, after)) {
+        Json angles = Json::array();
+        Json differences = Json::array();
+        for (const auto &[angle, difference] : path.points) {
+            angles.push_back(angle);
+            differences.push_back(difference);
+        }
+        paths.push_back({{"sense", fileWord(path.sense)},
+                         {"angles", std::move(angles)},
+                         {"difference", std::move(differences)}});
+    }
     Json conditions = Json::array();
     for (const DifferingCondition &row : compareConditions(before, after, language).differing)
         conditions.push_back(
@@ -101,6 +123,8 @@ QByteArray comparisonJson(const TestComparison &comparison, const PlacedTest &be
                     {"targets", comparison.targets},
                     {"interpolated", comparison.interpolated},
                     {"curves", std::move(curves)},
+                    {"sources", std::move(sources)},
+                    {"paths", std::move(paths)},
                     {"conditions", std::move(conditions)}};
     return QByteArray::fromStdString(form == JsonForm::pretty ? printJson(file) : compactJson(file) + '\n');
 }

@@ -3,6 +3,7 @@
 #include "figures/differencefigure.h"
 
 #include "figures/curvefield.h"
+#include "figures/ticks.h"
 #include "figures/testfigures.h"
 
 namespace palmer {
@@ -70,6 +71,37 @@ CurveFigure differenceFigure(const TestComparison &comparison, const Language &l
     const double last = comparison.targets.empty() ? 1 : comparison.targets.back();
     return withRanges(std::move(figure), {first, last > first ? last : first + 1}, {y.lowest, y.highest},
                       language);
+}
+
+LineFigure pathDifferenceFigure(const std::vector<ComparedPath> &paths, const Language &language) {
+    constexpr double turn = 360; // degrees
+    constexpr double mostParts = 8;
+    constexpr double smallest = 0.2; // µm
+    LineFigure figure;
+    figure.title = language.text(REPORT_TEXT("report", "Difference of the paths"));
+    figure.x.quantity = language.text(REPORT_TEXT("report", "Angle"));
+    figure.x.unit = QStringLiteral("°");
+    figure.x.angle = true;
+    figure.y.quantity = language.text(REPORT_TEXT("report", "after − before"));
+    figure.y.unit = language.unit(Quantity::deviation);
+    const double scale = unitScale(Quantity::deviation, language.units());
+    Bounds values;
+    for (const ComparedPath &path : paths) {
+        const bool ccw = path.sense == Sense::counterclockwise;
+        FigureLine line{ccw ? LineRole::counterclockwise : LineRole::clockwise,
+                        {},
+                        language.text(ccw ? REPORT_TEXT("report", "anticlockwise") : REPORT_TEXT("report", "clockwise")),
+                        {}};
+        for (const auto &[angle, deviation] : path.points) {
+            line.points.emplace_back(angle, deviation * scale);
+            values.include(deviation * scale);
+        }
+        figure.lines.push_back(std::move(line));
+    }
+    const Bounds y = values.widened(valueMargin, smallest);
+    setRange(figure.x, 0, turn, mostParts, TickSteps::angles, language);
+    setRange(figure.y, y.lowest, y.highest, mostParts - 2, TickSteps::values, language);
+    return figure;
 }
 
 } // namespace palmer

@@ -11,6 +11,8 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <cmath>
 
 using palmer::testdata::runCli;
 
@@ -38,6 +40,7 @@ class CompareCommandTest : public QObject {
 private slots:
     void saysWhatHasChanged();
     void aFileStatesWhatItCompares();
+    void circlesAreComparedBySourcesAndPaths();
     void printsItInBothLanguages();
     void itsJsonIsThatOfItsSchema();
     void findsTheLikeInTheOtherFile();
@@ -63,6 +66,34 @@ void CompareCommandTest::saysWhatHasChanged() {
 void CompareCommandTest::aFileStatesWhatItCompares() {
     const QJsonObject stated = QJsonDocument::fromJson(runCli({"compare", both, "--json"}).out).object();
     QCOMPARE(stated, jsonOf({"--test", "1,2"}));
+}
+
+void CompareCommandTest::circlesAreComparedBySourcesAndPaths() {
+    const QString circles = EXAMPLES "iso230-4-full-circles-xy.palmer";
+    const QJsonObject same =
+        QJsonDocument::fromJson(runCli({"compare", circles, circles, "--test", "1", "--json"}).out).object();
+    QCOMPARE(same["conditions"].toArray().size(), 0);
+    QVERIFY(same["sources"].toArray().size() > 5);
+    QCOMPARE(same["paths"].toArray().size(), 2);
+    for (const auto &source : same["sources"].toArray())
+        QCOMPARE(source.toObject()["difference"].toDouble(), 0.0);
+    // A backlash 2 µm larger, of which both circles know more than that.
+    const QTemporaryDir folder;
+    for (const char *backlash : {"4", "6"})
+        QCOMPARE(runCli({"synthesize", "circular", "--source", QString("backlash:X=%1").arg(backlash), "--noise", "0.1",
+                         "-o", folder.filePath(QString("%1.palmer").arg(backlash))})
+                     .code,
+                 0);
+    const QJsonObject worse = QJsonDocument::fromJson(runCli({"compare", folder.filePath("4.palmer"),
+                                                              folder.filePath("6.palmer"), "--json"})
+                                                          .out)
+                                  .object();
+    const auto found = worse["sources"].toArray();
+    const auto backlash = std::ranges::find_if(found, [](const auto &source) { return source.toObject()["id"] == "backlash"; });
+    QVERIFY(backlash != found.end());
+    const double u = backlash->toObject()["expandedUncertainty"].toDouble();
+    QVERIFY(u > 0 && u < 0.2);
+    QVERIFY(std::abs(backlash->toObject()["difference"].toDouble() - 2) < 2 * u);
 }
 
 void CompareCommandTest::printsItInBothLanguages() {

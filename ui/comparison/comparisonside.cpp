@@ -49,8 +49,15 @@ void ComparisonSide::show(const TestComparison &comparison, const PlacedTest &be
     const bool curves = !difference.curves.empty();
     m_differenceTitle->setText(difference.title);
     m_differenceNote->setText(tr("%n common target(s)", nullptr, static_cast<int>(comparison.commonTargets)));
-    m_difference->setAccessibleName(difference.title);
-    m_difference->setFigure(curves ? std::optional<Figure>(std::move(difference)) : std::nullopt);
+    LineFigure paths = pathDifferenceFigure(comparedPaths(before, after), language);
+    const bool circles = !paths.lines.empty();
+    if (circles)
+        m_differenceTitle->setText(paths.title);
+    m_difference->setAccessibleName(m_differenceTitle->text());
+    m_difference->setFigure(curves    ? std::optional<Figure>(std::move(difference))
+                            : circles ? std::optional<Figure>(std::move(paths))
+                                      : std::nullopt);
+    m_differenceNote->setVisible(curves);
     const auto named = [](const PlacedTest &placed) {
         return ComparedTest{*placed.evaluated, placed.index, testName(placed.test())};
     };
@@ -60,8 +67,8 @@ void ComparisonSide::show(const TestComparison &comparison, const PlacedTest &be
     const QStringList sentences = methodSentences(comparison, language);
     m_methodTitle->setText(tr("Uncertainty of the difference"));
     m_method->setText(sentences.join(u'\n'));
-    for (QWidget *part : std::initializer_list<QWidget *>{m_differenceTitle, m_differenceNote, m_difference})
-        part->setVisible(curves);
+    for (QWidget *part : std::initializer_list<QWidget *>{m_differenceTitle, m_difference})
+        part->setVisible(curves || circles);
     for (QWidget *part : std::initializer_list<QWidget *>{m_meansTitle, m_means})
         part->setVisible(true);
     for (QWidget *part : {m_methodTitle, m_method})

@@ -251,6 +251,8 @@ private:
             return line;
         };
         for (const Band &band : m_figure.bands) {
+            if (band.role == CurveRole::mean)
+                continue; // wide enough to be seen without
             const QPen edge =
                 lineOf(band.role == CurveRole::down ? FigureRole::downEdge : FigureRole::upEdge);
             drawLine(band.points, &BandPoint::upper, edge);

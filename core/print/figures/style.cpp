@@ -141,6 +141,8 @@ QColor blend(const QColor &colour, const QColor &ground, double strength) {
 
 QColor bandColor(bool up, bool down, Medium medium) {
     QColor colour = figureColor(FigureRole::background, medium);
+    if (!up && !down)
+        return blend(figureColor(FigureRole::mean, medium), colour, bandOpacity);
     if (up)
         colour = blend(figureColor(FigureRole::up, medium), colour, bandOpacity);
     if (down)

@@ -5,6 +5,7 @@
 #include "figures/differencefigure.h"
 #include "language/rounding.h"
 #include "report/parts/parts.h"
+#include "report/tables/diagnosisrows.h"
 #include "report/tables/resulttable.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
@@ -50,9 +51,9 @@ Text sharedText(SharedError error) {
 Table parameterTable(const TestComparison &comparison, const PlacedTest &before, const PlacedTest &after,
                      const Writer &write) {
     constexpr double symbolColumn = 11; // mm, like all widths here
-    constexpr double numberColumn = 17;
-    constexpr double pictureColumn = 19;
-    constexpr double wordColumn = 32;
+    constexpr double numberColumn = 15;
+    constexpr double pictureColumn = 18;
+    constexpr double wordColumn = 31;
     constexpr double least = 36;
     const QString unit = write.language().unit(comparison.quantity);
     const auto [first, second] = sideTexts(before, after);
@@ -63,7 +64,7 @@ Table parameterTable(const TestComparison &comparison, const PlacedTest &before,
         write.column(first, numberColumn, Alignment::decimal, unit),
         write.column(second, numberColumn, Alignment::decimal, unit),
         write.column(REPORT_TEXT("report", "Difference"), numberColumn, Alignment::decimal, unit),
-        write.column(REPORT_TEXT("report", "U (95.45 %)"), numberColumn, Alignment::decimal, unit),
+        columnOf(QStringLiteral("U"), numberColumn, Alignment::decimal, unit),
         columnOf(Phrase({{QStringLiteral("E")}, {QStringLiteral("n"), true}}), numberColumn - 5,
                  Alignment::decimal),
         write.column(REPORT_TEXT("report", "Diff. ± U"), pictureColumn),
@@ -96,6 +97,42 @@ Table parameterTable(const TestComparison &comparison, const PlacedTest &before,
             row.erase(row.begin() + 6);
     }
     return table;
+}
+
+/// Of two circles: the sources that both diagnoses value, and the difference of the paths.
+void addCircles(std::vector<Block> &blocks, const PlacedTest &before, const PlacedTest &after,
+                const Writer &write) {
+    constexpr double number = 22; // mm
+    const Language &language = write.language();
+    if (const auto sources = comparedSources(before, after); !sources.empty()) {
+        const auto [first, second] = sideTexts(before, after);
+        Table table;
+        table.columns = {write.flexible(REPORT_TEXT("report", "Source"), 60),
+                         write.column(first, number, Alignment::decimal),
+                         write.column(second, number, Alignment::decimal),
+                         write.column(REPORT_TEXT("report", "Difference"), number, Alignment::decimal),
+                         columnOf(QStringLiteral("U"), number, Alignment::decimal),
+                         columnOf(QString(), number)};
+        for (const ComparedSource &one : sources) {
+            const auto shown = [&](double value) { return shownParameter(one.id, value); };
+            const int decimals = decimalsOfEstimate(shown(one.uncertainty) / 2);
+            const auto text = [&](double value) {
+                return language.number(shown(value), Quantity::number, decimals);
+            };
+            table.rows.push_back({write.language().sentence(one.name), text(one.before), text(one.after),
+                                  boldCell(text(one.after - one.before)), text(one.uncertainty),
+                                  QString::fromUtf8(influence(one.id).unit)});
+        }
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Sources that both circles show")),
+                   write.text(REPORT_TEXT("report", "U: 95 % from both fits")));
+        blocks.emplace_back(std::move(table));
+    }
+    LineFigure figure = pathDifferenceFigure(comparedPaths(before, after), language);
+    if (figure.lines.empty())
+        return;
+    addHeading(blocks, figure.title,
+               write.text(REPORT_TEXT("report", "each about its least squares centre")));
+    blocks.emplace_back(FigureBlock{std::move(figure)});
 }
 
 QString dateOf(const PlacedTest &placed, const Writer &write) {
@@ -253,7 +290,10 @@ VerdictLine decisionLine(const TestComparison &comparison, const Language &langu
                        (shown.uncertainty + u' ' + language.unit(comparison.quantity)).toStdString()});
     }
     if (other) {
-        line.accordance.label = write.text(changeText(*other));
+        line.accordance.label =
+            write.text(*other == ChangeWord::agree            ? REPORT_TEXT("report", "agreeing")
+                       : *other == ChangeWord::noChangeProven ? changeText(ChangeWord::notProven)
+                                                              : changeText(*other)); // short ones
         line.accordance.label[0] = line.accordance.label[0].toUpper();
         line.accordance.state = share(said - changed);
         line.accordance.text = others.join(QStringLiteral(", "));
@@ -315,19 +355,23 @@ ComparedConditions compareConditions(const PlacedTest &before, const PlacedTest 
     const std::vector<KeyValue> was = statedRows(before, write);
     const std::vector<KeyValue> is = statedRows(after, write);
     ComparedConditions result;
-    const auto valueIn = [](const std::vector<KeyValue> &rows, const QString &key) {
-        const auto found = std::ranges::find(rows, key, &KeyValue::key);
-        return found == rows.end() ? QString() : found->value;
-    };
+    // Some names stand twice, as that of the machine and that of its temperature.
+    std::vector<bool> seen(was.size());
     for (const KeyValue &row : is) {
-        if (const QString former = valueIn(was, row.key); former != row.value)
+        std::size_t i = 0;
+        while (i < was.size() && (seen[i] || was[i].key != row.key))
+            ++i;
+        const QString former = i < was.size() ? was[i].value : QString();
+        if (i < was.size())
+            seen[i] = true;
+        if (former != row.value)
             result.differing.push_back({row.key, former, row.value});
-        else if (!row.value.isEmpty())
+        else if (!row.value.isEmpty() && !result.alike.contains(row.key))
             result.alike << row.key;
     }
-    for (const KeyValue &row : was) {
-        if (std::ranges::find(is, row.key, &KeyValue::key) == is.end() && !row.value.isEmpty())
-            result.differing.push_back({row.key, row.value, {}});
+    for (std::size_t i = 0; i < was.size(); ++i) {
+        if (!seen[i] && !was[i].value.isEmpty())
+            result.differing.push_back({was[i].key, was[i].value, {}});
     }
     return result;
 }
@@ -411,6 +455,7 @@ std::vector<Block> comparisonBlocks(const TestComparison &comparison, const Plac
         blocks.emplace_back(Paragraph{reasonOf(comparison, language)});
     if (const QStringList sentences = methodSentences(comparison, language); !sentences.isEmpty())
         blocks.emplace_back(Paragraph{sentences.join(u' '), TextSize::small});
+    addCircles(blocks, before, after, write);
     CurveFigure figure = differenceFigure(comparison, language);
     if (!figure.curves.empty()) {
         addHeading(blocks, figure.title,
