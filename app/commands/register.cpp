@@ -15,6 +15,7 @@
 #include "register/machinechoices.h"
 #include "register/register.h"
 #include "register/scan.h"
+#include "register/sincelast.h"
 #include "register/storedsentence.h"
 #include "report/blocks/plaintext.h"
 
@@ -43,6 +44,7 @@ constexpr std::array registerOptions{
     Option{"csv", "", REPORT_TEXT("report", "list: for programs, a row per parameter")},
     Option{"decimal-mark", "point|comma", REPORT_TEXT("report", "list: of CSV for spreadsheets, with a byte-order mark"), false, "csv"},
     Option{"json", "", REPORT_TEXT("report", "list, trend, type, scan: as JSON, one object a line")},
+    Option{"since-last", "", REPORT_TEXT("report", "list: what has changed in each test since the last one of its axis or plane; reads their files")},
     Option{"files", "", REPORT_TEXT("report", "list: the files that cannot be read or are not found, with their reason")},
     Option{"parameter", "A", REPORT_TEXT("report", "trend: the parameter; may stand several times; without it the main ones; type: the parameter"), true},
     Option{"edition", "E", REPORT_TEXT("report", "trend, type: all tests evaluated anew under one edition")},
@@ -50,7 +52,7 @@ constexpr std::array registerOptions{
     Option{"content", "0.95", REPORT_TEXT("report", "type: share of the type that lies below the tolerance limit")},
     Option{"confidence", "0.95", REPORT_TEXT("report", "type: confidence of the tolerance limit")},
     Option{"distribution", "logNormal|normal", REPORT_TEXT("report", "type: distribution of the chosen tolerance limit; both are shown")},
-    Option{"o", "OUT", REPORT_TEXT("report", "trend: OUT.csv, json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf")},
+    Option{"o", "OUT", REPORT_TEXT("report", "trend: OUT.csv, json, svg, png or pdf; type: OUT.json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf")},
     Option{"number", "N", REPORT_TEXT("report", "report: the number of the history; without it one of year and serial number"), false, "", true},
     Option{"prune", "", REPORT_TEXT("report", "scan: take out files that are not found any more; with --force also where a folder would lose more than half of its tests")},
     Option{"rebuild", "", REPORT_TEXT("report", "scan: make the register anew; until that is done others read it as it was")},
@@ -201,7 +203,8 @@ public:
         : m_invocation(invocation)
         , m_csv(invocation.has("csv"))
         , m_json(invocation.has("json"))
-        , m_due(dateOption(invocation, "due")) {
+        , m_due(dateOption(invocation, "due"))
+        , m_sinceLast(invocation.has("since-last")) {
         m_filter.axis = invocation.value("axis").value_or(QString());
         m_filter.kind = kindOption(invocation);
         m_filter.since = dateOption(invocation, "since");
@@ -246,12 +249,19 @@ private:
         ofMachine.machines = {machine.id};
         std::vector<ListedTest> chosen = tests(database, ofMachine);
         (void)markDue(database, machine, chosen, m_interval);
+        const std::vector<ListedTest> all = m_sinceLast ? chosen : std::vector<ListedTest>();
         const auto isDue = [this](const std::optional<std::string> &date) {
             return m_due.isEmpty() || (date && QString::fromStdString(*date) <= m_due);
         };
         std::erase_if(chosen, [&](const ListedTest &test) {
             return (!isDue(test.due) && !isDue(test.certificateDue)) || !matches(test, m_filter);
         });
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const auto shown = std::ranges::find(chosen, all[i].id, &ListedTest::id);
+            const auto last = shown == chosen.end() ? std::nullopt : lastBefore(all, i);
+            if (last)
+                shown->sinceLast = sinceLast(all[*last], all[i]);
+        }
         if (m_csv || m_json) {
             for (const ListedTest &test : chosen)
                 printOut(m_csv ? listedTestCsv(test, m_decimalMark) : listedTestJson(test));
@@ -269,6 +279,7 @@ private:
     QString m_due;
     TestFilter m_filter;
     std::optional<int> m_interval;
+    bool m_sinceLast;
     char m_decimalMark = '.';
     QByteArray m_byteOrderMark; ///< for spreadsheets
     bool m_hasPrinted = false;
@@ -304,13 +315,13 @@ const std::vector<Part> &parts() {
         {"scan", {"json", "prune", "rebuild", "watch", "jobs", "force"}, -1, runScan},
         {"list",
          {"machine", "axis", "kind", "since", "until", "verdict", "due", "interval", "text", "csv",
-          "decimal-mark", "json", "files"},
+          "decimal-mark", "json", "since-last", "files"},
          0,
          runList},
         {"trend", {"machine", "axis", "parameter", "edition", "json", "o", "force"}, 0, runRegisterTrend},
         {"report", {"machine", "number", "o", "force"}, 0, runRegisterReport},
         {"type",
-         {"type", "parameter", "axis", "edition", "content", "confidence", "distribution", "json"},
+         {"type", "parameter", "axis", "edition", "content", "confidence", "distribution", "json", "o", "force"},
          0,
          runRegisterType},
         {"join", {}, 2, runChoice},

@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commandline/optionvalues.h"
+#include "commandline/outputfile.h"
 #include "commandline/streams.h"
 #include "commands/registertrend.h"
+#include "print/figures/exportfigure.h"
+#include "print/pdf/writepdf.h"
 #include "register/reevaluate.h"
 #include "register/register.h"
 #include "register/storedsentence.h"
 #include "register/typeoutput.h"
 #include "report/blocks/plaintext.h"
 
+#include <QBuffer>
+#include <QFileInfo>
 #include <algorithm>
 #include <set>
 
@@ -77,6 +82,16 @@ int runRegisterType(const Invocation &invocation) {
     if (pairs.empty())
         throw UsageError({REPORT_TEXT("report", "the machines of the type “%1” have no test with %2"),
                           {words.toStdString(), asked}});
+    const QString output = invocation.value("o").value_or(QString());
+    const QString ending = QFileInfo(output).suffix().toLower();
+    const bool onPaper = ending == QLatin1StringView("pdf");
+    const bool drawn = onPaper || ending == QLatin1StringView("svg") || ending == QLatin1StringView("png");
+    if (!output.isEmpty())
+        requireOutput(invocation, output, {"json", "svg", "png", "pdf"});
+    if (drawn && pairs.size() != 1)
+        throw UsageError({REPORT_TEXT("report", "a picture shows one parameter of one axis: choose it with "
+                                                "--parameter and --axis"),
+                          {}});
     QByteArray bytes;
     for (const auto &[axis, parameter] : pairs) {
         if (!hasTypeTest(parameter))
@@ -84,13 +99,25 @@ int runRegisterType(const Invocation &invocation) {
                 {REPORT_TEXT("report", "%1 has a sign: a type test takes parameters without one"),
                  {parameter}});
         const TypeTest test = typeTest(chosen, list, axis, parameter, tolerance, distribution);
-        if (invocation.has("json"))
+        if (onPaper) {
+            QBuffer pdf(&bytes);
+            pdf.open(QIODevice::WriteOnly);
+            writePdf(composeTypeTest(test, invocation.language, true), pdf);
+        } else if (drawn) {
+            const Figure figure = typeFigure(test, invocation.language);
+            const QString title = composeTypeTest(test, invocation.language).title;
+            bytes = ending == QLatin1StringView("svg") ? figureAsSvg(figure, title, invocation.language)
+                                                       : figureAsPng(figure);
+        } else if (invocation.has("json") || ending == QLatin1StringView("json"))
             bytes += typeTestJson(test);
         else
             bytes += (bytes.isEmpty() ? "" : "\n") +
                      plainText(composeTypeTest(test, invocation.language)).toUtf8();
     }
-    printOut(bytes);
+    if (output.isEmpty())
+        printOut(bytes);
+    else
+        writeOutput(bytes, output);
     return code;
 }
 

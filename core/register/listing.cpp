@@ -9,6 +9,8 @@
 #include "language/rounding.h"
 #include "register/jsonline.h"
 #include "register/machinetrend.h"
+#include "register/sincelast.h"
+#include "report/parts/comparedtests.h"
 #include "report/parts/testpart.h"
 #include "report/tables/summary.h"
 #include "report/words/accordancetext.h"
@@ -83,6 +85,24 @@ QString dueText(const ListedTest &listed, const Language &language) {
     return parts.join(language.semicolon());
 }
 
+Json sinceLastJson(const SinceLast &change) {
+    Json parameters = Json::array();
+    for (const ComparedParameter &one : change.comparison.parameters)
+        parameters.push_back(
+            {{"id", one.index.empty() ? std::string(one.term.id) : one.term.id + ("_" + one.index)},
+             {"difference", one.difference},
+             {"expandedUncertainty", orNull(one.uncertainty)},
+             {"word", one.word ? Json(fileWord(*one.word)) : Json()}});
+    const auto word = wordOfAll(change.comparison);
+    return {{"file", change.last.path.toStdString()},
+            {"test", change.last.test},
+            {"date", orNull(change.date)},
+            {"word", word ? Json(fileWord(*word)) : Json()},
+            {"refusal", change.comparison.refusal ? Json(fileWord(*change.comparison.refusal)) : Json()},
+            {"noWord", change.comparison.noWord ? Json(fileWord(*change.comparison.noWord)) : Json()},
+            {"parameters", parameters}};
+}
+
 } // namespace
 
 QByteArray listedTestJson(const ListedTest &listed) {
@@ -135,6 +155,7 @@ QByteArray listedTestJson(const ListedTest &listed) {
                              {"instruments", instruments},
                              {"due", orNull(listed.due)},
                              {"certificateDue", orNull(listed.certificateDue)},
+                             {"sinceLast", listed.sinceLast ? sinceLastJson(*listed.sinceLast) : Json()},
                              {"verdict", test.verdict ? Json(fileWord(*test.verdict)) : Json()}});
 }
 
@@ -211,7 +232,7 @@ Report composeList(const QString &title, const std::vector<ListedTest> &tests, c
           REPORT_TEXT("report", "Purpose"), REPORT_TEXT("report", "Role"),
           REPORT_TEXT("report", "Report No."), REPORT_TEXT("report", "Working zone"),
           REPORT_TEXT("report", "Results"), REPORT_TEXT("report", "Limits"), REPORT_TEXT("report", "Test"),
-          REPORT_TEXT("report", "Due")})
+          REPORT_TEXT("report", "Against the last"), REPORT_TEXT("report", "Due")})
         table.columns.push_back({language.text(head)});
     constexpr std::size_t resultColumn = 7;
     table.columns[resultColumn].flexible = true;
@@ -234,6 +255,7 @@ Report composeList(const QString &title, const std::vector<ListedTest> &tests, c
         row.emplace_back(traitsOf(test.kind).isJudged
                              ? summaryAccordance(test.accordance, SummaryForm::text, language)
                              : QString());
+        row.emplace_back(listed.sinceLast ? sinceLastWord(*listed.sinceLast, language) : QString());
         row.emplace_back(dueText(listed, language));
         table.rows.push_back(std::move(row));
     }

@@ -8,12 +8,14 @@
 #include <QDate>
 #include <QString>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace palmer {
 
 class Database;
+struct SinceLast;
 
 /// A machine of the register, named as in its newest test.
 struct ListedMachine : MachineFields {
@@ -40,9 +42,10 @@ struct ListedTest {
     int id = 0; ///< within this register
     int machine = 0;
     RegisteredTest test;
-    std::vector<TestPlace> places;             ///< by path, existing ones first; never empty
-    std::optional<std::string> due;            ///< on the test an interval counts from: date of the next one
-    std::optional<std::string> certificateDue; ///< on the tests of an axis's newest day: first expiry
+    std::vector<TestPlace> places;              ///< by path, existing ones first; never empty
+    std::optional<std::string> due;             ///< on the test an interval counts from: date of the next one
+    std::optional<std::string> certificateDue;  ///< on the tests of an axis's newest day: first expiry
+    std::shared_ptr<const SinceLast> sinceLast; ///< where it was asked for, see sincelast.h
 };
 
 /// A filter; empty: all tests.

@@ -108,6 +108,10 @@ void addReadings(Fingerprint &print, const CircularMeasurement &c) {
 void addReadings(Fingerprint &print, const DriftMeasurement &drift) {
     print.add(drift.times);
     print.add(drift.deviations);
+    for (const DriftChannel &channel : drift.channels)
+        print.add(channel.values);
+    for (const DriftTemperature &temperature : drift.temperatures)
+        print.add(temperature.values);
 }
 
 QString fingerprintOf(const Test &test) {

@@ -3,10 +3,16 @@
 #include "register/typeoutput.h"
 
 #include "document/filewords.h"
+#include "figures/curvefield.h"
+#include "figures/ticks.h"
 #include "register/jsonline.h"
 #include "register/listing.h"
 #include "register/trendoutput.h"
+#include "report/parts/testpart.h"
 #include "report/words/wording.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace palmer {
 
@@ -14,6 +20,7 @@ namespace {
 
 constexpr int scoreDecimals = 3;
 constexpr int factorDecimals = 4;
+constexpr double mostTicks = 6;
 
 Json machineJson(const ListedMachine &machine) {
     return {{"name", orNull(machine.name.toStdString())},
@@ -63,7 +70,7 @@ public:
         , m_language(language)
         , m_quantity(test.angular ? Quantity::angularDeviation : Quantity::deviation) {}
 
-    Report compose() {
+    Report compose(bool onPaper) {
         Report report;
         report.language = m_language.code();
         const ListedMachine machine =
@@ -78,6 +85,8 @@ public:
                                                 "machines are those in the register, no random sample.")),
                       TextSize::small});
         report.blocks.emplace_back(facts());
+        if (onPaper)
+            addFigures(report);
         report.blocks.emplace_back(members());
         if (!m_test.outsiders.empty()) {
             report.blocks.emplace_back(
@@ -93,6 +102,30 @@ public:
                 "confidence 1 − p^N. Normality: Shapiro–Francia, from 8 machines on.")),
             TextSize::small});
         return report;
+    }
+
+    void addFigures(Report &report) const {
+        constexpr double barHeight = 6; // mm
+        constexpr double axisHeight = 14;
+        constexpr double quantileHeight = 62;
+        constexpr double half = 83;
+        report.footerLeft = report.title;
+        report.footerCentre = QStringLiteral("Palmer " PALMER_VERSION);
+        report.footerRight = m_language.text(REPORT_TEXT("report", "page %1 / %2"));
+        BarFigure bars = typeFigure(m_test, m_language);
+        report.blocks.emplace_back(Heading{2, bars.title});
+        const double height = axisHeight + barHeight * static_cast<double>(bars.bars.size());
+        report.blocks.emplace_back(FigureBlock{std::move(bars), textWidth, height});
+        if (!m_test.statistics)
+            return;
+        const auto part = [&](bool logarithms) -> std::vector<Part> {
+            LineFigure figure = quantileFigure(m_test, logarithms, m_language);
+            if (figure.lines.empty())
+                return {};
+            Heading heading{3, figure.title};
+            return {std::move(heading), FigureBlock{std::move(figure), half, quantileHeight}};
+        };
+        report.blocks.emplace_back(SideBySide{part(false), part(true)});
     }
 
 private:
@@ -228,8 +261,74 @@ QByteArray typeTestJson(const TypeTest &test) {
                      {"statistics", test.statistics ? statisticsJson(test) : Json()}});
 }
 
-Report composeTypeTest(const TypeTest &test, const Language &language) {
-    return Composer(test, language).compose();
+BarFigure typeFigure(const TypeTest &test, const Language &language) {
+    const Quantity quantity = test.angular ? Quantity::angularDeviation : Quantity::deviation;
+    const double scale = unitScale(quantity, language.units());
+    BarFigure figure;
+    const QString symbol = plainSymbolOf(test.parameter);
+    figure.title = language.sentence(
+        {REPORT_TEXT("report", "%1 of the machines of the type"), {symbol.toStdString()}, {}});
+    figure.shareTitle = QStringLiteral("U");
+    figure.x.symbol = symbol;
+    figure.x.unit = language.unit(quantity);
+    double largest = 0;
+    const auto add = [&](const QString &id, const QString &name, double value, const QString &shown,
+                         const QString &expanded, bool first) {
+        figure.bars.push_back({id, name, {}, value * scale, shown, expanded, first});
+        largest = std::max(largest, value * scale);
+    };
+    for (std::size_t i = 0; i < test.members.size(); ++i) {
+        const TypeMember &member = test.members[i];
+        const ShownValue shown = shownResult(member.result, test.angular, language);
+        add(QStringLiteral("machine%1").arg(i + 1), member.machine.title(), *member.result.value, shown.value,
+            shown.uncertainty.isEmpty() ? QStringLiteral("–") : shown.uncertainty, false);
+    }
+    if (test.statistics) {
+        for (const auto &[distribution, name] :
+             {std::pair(TypeDistribution::logNormal, REPORT_TEXT("report", "Tolerance limit, log-normal")),
+              std::pair(TypeDistribution::normal, REPORT_TEXT("report", "Tolerance limit, normal"))}) {
+            if (const auto limit = test.statistics->limit(distribution))
+                add(distribution == TypeDistribution::normal ? QStringLiteral("normal")
+                                                             : QStringLiteral("logNormal"),
+                    language.text(name), *limit, language.number(*limit, quantity, 1), QString(),
+                    distribution == test.distribution);
+        }
+    }
+    constexpr double room = 1.05;
+    setRange(figure.x, 0, largest > 0 ? largest * room : 1, mostTicks, TickSteps::values, language);
+    return figure;
+}
+
+LineFigure quantileFigure(const TypeTest &test, bool logarithms, const Language &language) {
+    const Quantity quantity = test.angular ? Quantity::angularDeviation : Quantity::deviation;
+    const double scale = unitScale(quantity, language.units());
+    LineFigure figure;
+    const auto &values = test.statistics ? test.statistics->sorted : std::vector<double>();
+    if (values.empty() || (logarithms && values.front() <= 0))
+        return figure;
+    figure.title = language.text(logarithms ? REPORT_TEXT("report", "Logarithms over normal scores")
+                                            : REPORT_TEXT("report", "Values over normal scores"));
+    figure.x.quantity = language.text(REPORT_TEXT("report", "Normal score"));
+    const QString symbol = plainSymbolOf(test.parameter);
+    figure.y.quantity = logarithms ? QStringLiteral("ln ") + symbol : symbol;
+    figure.y.unit = language.unit(quantity);
+    FigureLine line;
+    Bounds y;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value = values[i] * scale;
+        line.points.emplace_back(normalScore(i, values.size()), logarithms ? std::log(value) : value);
+        y.include(line.points.back().y());
+    }
+    const Bounds range = y.widened(valueMargin, 0.1);
+    setRange(figure.x, line.points.front().x(), line.points.back().x(), mostTicks, TickSteps::values,
+             language);
+    setRange(figure.y, range.lowest, range.highest, mostTicks, TickSteps::values, language);
+    figure.lines.push_back(std::move(line));
+    return figure;
+}
+
+Report composeTypeTest(const TypeTest &test, const Language &language, bool onPaper) {
+    return Composer(test, language).compose(onPaper);
 }
 
 } // namespace palmer

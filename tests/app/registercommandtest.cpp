@@ -85,6 +85,8 @@ private slots:
     void theNumberOfAHistory_data();
     void theNumberOfAHistory();
     void theTestOfAType();
+    void theTypeOnPaper();
+    void whatChangedSinceTheLastTest();
     void aPictureOfATrend_data();
     void aPictureOfATrend();
     void theUsersRegisterStandsInHisData();
@@ -590,6 +592,36 @@ void RegisterCommandTest::theNumberOfAHistory() {
     // It is the title of the document, too.
     if (!options.isEmpty() && !options.last().trimmed().isEmpty())
         QVERIFY(runPdfinfo(pdf).contains(options.last().simplified().toUtf8()));
+}
+
+void RegisterCommandTest::theTypeOnPaper() {
+    QProcess script;
+    script.start("python3", {QStringLiteral(SOURCE "/tests/benchmarks/registerfiles.py"),
+                             m_dir->filePath("types"), "--files", "54", "--machines", "9"});
+    QVERIFY(script.waitForFinished(120'000));
+    QCOMPARE(reg({"scan", m_dir->filePath("types")}).code, 0);
+    const QStringList words{"type", "--type", "Maker A CU 1000", "--parameter", "A", "--axis", "X"};
+    const QString pdf = m_dir->filePath("type.pdf");
+    QCOMPARE(reg(words + QStringList{"-o", pdf}).code, 0);
+    QVERIFY(runPdfinfo(pdf).contains("Type test of Maker A CU 1000"));
+    const QString svg = m_dir->filePath("type.svg");
+    QCOMPARE(reg(words + QStringList{"-o", svg}).code, 0);
+    QVERIFY(contents(svg).startsWith("<?xml"));
+    QCOMPARE(reg({"type", "--type", "Maker A CU 1000", "--parameter", "A", "-o", svg}).code, 2); // three axes
+}
+
+void RegisterCommandTest::whatChangedSinceTheLastTest() {
+    const QString folder = m_dir->filePath("changes");
+    QVERIFY(QDir().mkdir(folder) && QFile::copy(SOURCE "/resources/examples/x-axis-as-found-as-left.palmer", folder + "/x.palmer"));
+    QCOMPARE(reg({"scan", folder}).code, 0);
+    const auto plain = objects(reg({"list", "--json"}).out);
+    QVERIFY(plain.at(1)["sinceLast"].isNull());
+    const auto list = objects(reg({"list", "--json", "--since-last"}).out);
+    QCOMPARE(list.size(), std::size_t(2));
+    QVERIFY(list[0]["sinceLast"].isNull()); // the first one
+    QCOMPARE(list[1]["sinceLast"]["word"].toString(), "better");
+    QCOMPARE(list[1]["sinceLast"]["date"].toString(), "2026-11-20");
+    QVERIFY(reg({"list", "--since-last", "--language", "fr"}).out.contains("changé, mieux"));
 }
 
 void RegisterCommandTest::theTestOfAType() {

@@ -44,6 +44,7 @@ RegisterMenus::RegisterMenus(QMainWindow &window) {
     intervals->setObjectName(QStringLiteral("intervals"));
     join = added(*machineMenu, "joinMachines", "link");
     history = added(*machineMenu, "history", "report", QKeySequence::Print);
+    type = added(*machineMenu, "typeTest", "bars");
     open = added(*testMenu, "openTest", "open", QKeySequence::Open);
     compare = added(*testMenu, "compareCurves", "curves");
     compare->setCheckable(true);
@@ -93,6 +94,7 @@ void RegisterMenus::retranslate() const {
     next->setText(tr("&Next machine"));
     join->setText(tr("&Join with another…"));
     history->setText(tr("&History report…"));
+    type->setText(tr("&Type test…"));
     open->setText(tr("&Open test"));
     compare->setText(tr("&Compare curves"));
     clear->setText(tr("C&lear filters"));

@@ -36,6 +36,7 @@ public:
     QAction *next = nullptr;
     QAction *join = nullptr;
     QAction *history = nullptr;
+    QAction *type = nullptr; ///< the machines of one type
     QAction *open = nullptr;
     QAction *compare = nullptr;
     QAction *clear = nullptr;

@@ -4,6 +4,7 @@
 
 #include "kernel/measurement/testfacts.h"
 #include "register/reevaluate.h"
+#include "register/sincelast.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
 
@@ -101,6 +102,26 @@ void RegisterPage::setTests(std::vector<ListedTest> tests) {
     m_tests = std::move(tests);
     m_filters->setTests(m_tests);
     showTests();
+    findChanges();
+}
+
+void RegisterPage::findChanges() {
+    m_changeLane.cancel();
+    m_changeLane.start(
+        [this, tests = m_tests](const Background::Job &job) {
+            for (std::size_t i = tests.size(); i-- > 0 && !job.stop().stop_requested();) {
+                const auto last = lastBefore(tests, i);
+                auto change = last ? sinceLast(tests[*last], tests[i]) : nullptr;
+                if (change)
+                    job.post([this, id = tests[i].id, change] {
+                        if (const auto test = std::ranges::find(m_tests, id, &ListedTest::id);
+                            test != m_tests.end())
+                            test->sinceLast = change;
+                        m_table->setSinceLast(id, change);
+                    });
+            }
+        },
+        [] {});
 }
 
 void RegisterPage::forgetEdition() {

@@ -44,6 +44,7 @@ private:
     QWidget *makeTrend();
     void fillEditions();
     void evaluateUnder(const std::string &edition);
+    void findChanges();
     void showTests();
     void showTrend();
     void showChosen();
@@ -65,6 +66,7 @@ private:
     std::vector<ListedTest> m_anew;  ///< tests of the axis evaluated under m_edition
     std::string m_edition;           ///< empty: each test's own
     Background m_lane;
+    Background m_changeLane; ///< compares each test with the last one, the newest first
 };
 
 } // namespace palmer::ui

@@ -5,6 +5,8 @@
 #include "register/machinechoices.h"
 #include "register/register.h"
 
+#include <set>
+
 namespace palmer::ui {
 
 namespace {
@@ -43,6 +45,31 @@ std::vector<ListedTest> readTests(const QString &address, int machine) {
         filter.machines = {machine};
         filter.withCurves = true;
         return tests(database, filter);
+    });
+}
+
+std::vector<TypeTest> readTypeTests(const QString &address, const ListedMachine &machine) {
+    return answered(address, [&](Database &database) {
+        const std::vector<ListedMachine> ofType =
+            machinesOfType(machines(database), machine.manufacturer + u' ' + machine.model);
+        TestFilter filter;
+        for (const ListedMachine &one : ofType)
+            filter.machines.push_back(one.id);
+        std::vector<TypeTest> result;
+        if (ofType.empty())
+            return result;
+        const std::vector<ListedTest> list = tests(database, filter);
+        std::set<std::pair<std::string, std::string>> pairs; // axis or plane, parameter
+        for (const ListedTest &one : list) {
+            for (const RegisteredResult &found : one.test.results) {
+                if (found.value && hasTypeTest(found.id))
+                    pairs.emplace(one.test.axis, found.id);
+            }
+        }
+        for (const auto &[axis, parameter] : pairs)
+            result.push_back(typeTest(ofType, list, axis, parameter, {}, TypeDistribution::logNormal));
+        std::erase_if(result, [](const TypeTest &test) { return test.members.empty(); });
+        return result;
     });
 }
 

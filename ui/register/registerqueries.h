@@ -3,6 +3,7 @@
 #pragma once
 
 #include "language/language.h"
+#include "register/machinetype.h"
 #include "register/queries.h"
 #include "ui/register/machinelist.h"
 
@@ -14,6 +15,8 @@ namespace palmer::ui {
 [[nodiscard]] std::vector<MachineRow> readMachines(const QString &address);
 /// Returns the tests of a machine with their curves.
 [[nodiscard]] std::vector<ListedTest> readTests(const QString &address, int machine);
+/// Returns the type tests of all axes and parameters of the machines of one maker and type.
+[[nodiscard]] std::vector<TypeTest> readTypeTests(const QString &address, const ListedMachine &machine);
 /// Returns the files that cannot be read or found.
 [[nodiscard]] std::vector<ListedSource> readTroubledFiles(const QString &address);
 /// Joins another machine to one, or sets its interval, see withChoice(). Returns what there is to say: an

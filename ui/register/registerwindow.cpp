@@ -16,6 +16,7 @@
 #include "ui/register/registerservice.h"
 #include "ui/register/registerstatus.h"
 #include "ui/register/troubledfiles.h"
+#include "ui/register/typedialog.h"
 #include "ui/sizeonscreen.h"
 #include "ui/thinsplitter.h"
 #include "ui/windowlanguage.h"
@@ -113,6 +114,7 @@ void RegisterWindow::makeActions() {
     connect(m_menus.next, &QAction::triggered, this, [this] { m_side->moveBy(1); });
     connect(m_menus.join, &QAction::triggered, this, &RegisterWindow::joinMachine);
     connect(m_menus.history, &QAction::triggered, this, &RegisterWindow::saveHistory);
+    connect(m_menus.type, &QAction::triggered, this, &RegisterWindow::showType);
     connect(m_menus.trendAlone, &QAction::toggled, this, [this](bool alone) { m_side->setHidden(alone); });
     auto *restore = new QAction(this);
     restore->setShortcut(Qt::Key_Escape);
@@ -209,6 +211,7 @@ void RegisterWindow::showState() {
 
 void RegisterWindow::showChosen() {
     m_menus.history->setEnabled(m_side->chosen());
+    m_menus.type->setEnabled(m_side->chosen() && !m_side->chosen()->machine.model.isEmpty());
     if (m_stack->currentIndex() == 0)
         m_status->showHelpKey();
     else
@@ -329,6 +332,26 @@ void RegisterWindow::askToPrune(const QStringList &folders) {
     box->setDefaultButton(QMessageBox::Cancel);
     connect(box, &QDialog::accepted, &m_service, [this] { m_service.rescan(RegisterService::Prune::force); });
     box->open();
+}
+
+void RegisterWindow::showType() {
+    const MachineRow *chosen = m_side->chosen();
+    if (!chosen)
+        return;
+    m_filesLane.start(
+        [address = m_service.address(), machine = chosen->machine](const Background::Job &) {
+            return readTypeTests(address, machine);
+        },
+        [this](std::vector<TypeTest> tests) {
+            if (tests.empty()) {
+                QMessageBox::information(this, tr("No type test"),
+                                         tr("The machines of this type have no test with a result."));
+                return;
+            }
+            auto *dialog = new TypeDialog(std::move(tests), this);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            dialog->open();
+        });
 }
 
 void RegisterWindow::saveHistory() {

@@ -60,6 +60,7 @@ private:
     void joinMachine();
     void askToPrune(const QStringList &folders);
     void saveHistory();
+    void showType();
     void showTroubledFiles();
     void showHelp();
 

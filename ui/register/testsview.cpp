@@ -14,7 +14,8 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int fewResults = 3; ///< shown unless the table is wide
+constexpr int fewResults = 3;        ///< shown unless the table is wide
+constexpr int leastForChange = 1000; ///< px of the table, from which it has the column of changes
 
 int widthOf(TextSize size, const QString &text) {
     return QFontMetrics(themeFont(size)).horizontalAdvance(text) + 1;
@@ -125,10 +126,12 @@ void TestsView::fitColumns() {
     setColumnHidden(limits, false); // may be hidden for another axis
     setColumnHidden(limits + 1, false);
     setColumnWidth(limits, std::max(limitsWidth, columnWidth(limits) + markPadding));
-    const int last = std::max(accordanceWidth, sizeHintForColumn(limits + 1) + markPadding);
-    setColumnWidth(limits + 1, last);
-    int tooWide = last - viewport()->width(); // the last column takes the rest
-    for (int i = 0; i <= limits; ++i)
+    constexpr int changeWidth = 130;
+    setColumnWidth(limits + 1, std::max(accordanceWidth, sizeHintForColumn(limits + 1) + markPadding));
+    setColumnHidden(limits + 2, width() < leastForChange);
+    int tooWide =
+        (width() < leastForChange ? 0 : changeWidth) - viewport()->width(); // the last takes the rest
+    for (int i = 0; i <= limits + 1; ++i)
         tooWide += columnWidth(i); // 0 if hidden
     for (const auto &[column, least] : {std::pair(TestTableModel::purposeColumn, leastWord),
                                         std::pair(TestTableModel::roleColumn, leastWord),

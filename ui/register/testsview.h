@@ -19,6 +19,9 @@ public:
     void setTests(std::vector<ListedTest> tests);
     /// See TestTableModel::setNumbers().
     void setNumbers(std::map<int, int> numbers) { m_tests->setNumbers(std::move(numbers)); }
+    void setSinceLast(int test, std::shared_ptr<const SinceLast> change) {
+        m_tests->setSinceLast(test, std::move(change));
+    }
     [[nodiscard]] int count() const { return m_sorted->rowCount(); }
     /// Chosen tests by date and time, valid until the next setTests().
     [[nodiscard]] std::vector<const ListedTest *> chosen() const;

@@ -5,6 +5,8 @@
 #include "kernel/measurement/testfacts.h"
 #include "register/listing.h"
 #include "register/machinetrend.h"
+#include "register/sincelast.h"
+#include "report/parts/comparedtests.h"
 #include "report/words/wording.h"
 #include "ui/elidedlabel.h"
 #include "ui/register/numbertag.h"
@@ -92,6 +94,29 @@ QVariant accordanceData(const RegisteredTest &test, int role) {
     }
 }
 
+QVariant sinceLastData(const ListedTest &listed, int role) {
+    if (!listed.sinceLast)
+        return {};
+    const auto word = wordOfAll(listed.sinceLast->comparison);
+    const Mark mark = word ? palmer::markOf(*word) : Mark::none;
+    switch (role) {
+    case Qt::DisplayRole:
+        return sinceLastWord(*listed.sinceLast, windowLanguage());
+    case TestTableModel::sortRole:
+        return word ? static_cast<int>(*word) : -1;
+    case TestTableModel::iconRole:
+        return mark == Mark::check   ? QStringLiteral("check")
+               : mark == Mark::cross ? QStringLiteral("cross")
+                                     : QStringLiteral("ques");
+    case TestTableModel::tokenRole:
+        return static_cast<int>(mark == Mark::check   ? Token::ok
+                                : mark == Mark::cross ? Token::bad
+                                                      : Token::secondaryText);
+    default:
+        return {};
+    }
+}
+
 QVariant dateData(const RegisteredTest &test, int role) {
     if (!test.date || (role != Qt::DisplayRole && role != TestTableModel::sortRole))
         return {};
@@ -148,11 +173,14 @@ void TestTableModel::makeColumns() {
     }
     m_columns.push_back(dataColumn(tr("Limits"), limitsData));
     m_columns.push_back(dataColumn(tr("Test"), accordanceData));
+    m_columns.push_back({tr("Against the last"), {}, sinceLastData});
 }
 
 QVariant TestTableModel::cell(const ListedTest &listed, int column, int role) const {
     if (role != Qt::ToolTipRole)
         return RowModel::cell(listed, column, role);
+    if (column == columnCount() - 1 && listed.sinceLast)
+        return decisionLine(listed.sinceLast->comparison, windowLanguage()).limits.text.plain();
     QStringList lines;
     for (const TestPlace &place : listed.places)
         lines << place.path;
@@ -177,6 +205,15 @@ void TestTableModel::setNumbers(std::map<int, int> numbers) {
     m_numbers = std::move(numbers);
     if (!m_rows.empty())
         emit dataChanged(index(0, markColumn), index(rowCount() - 1, markColumn));
+}
+
+void TestTableModel::setSinceLast(int test, std::shared_ptr<const SinceLast> change) {
+    const auto row = std::ranges::find(m_rows, test, &ListedTest::id);
+    if (row == m_rows.end())
+        return;
+    row->sinceLast = std::move(change);
+    const int at = static_cast<int>(row - m_rows.begin());
+    emit dataChanged(index(at, columnCount() - 1), index(at, columnCount() - 1));
 }
 
 void TestTableModel::retranslate() {

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/comparedtests.h"
+#include "language/language.h"
+#include "register/queries.h"
+
+#include <memory>
+
+namespace palmer {
+
+/// What has changed in a test since the last one of its axis or plane.
+struct SinceLast {
+    TestPlace last; ///< place of the last one
+    std::optional<std::string> date;
+    TestComparison comparison;
+};
+
+/// Returns the newest test before `of` with the same kind and axis or plane but other readings, among the
+/// tests of a machine in the order of tests(). Null: none.
+[[nodiscard]] std::optional<std::size_t> lastBefore(const std::vector<ListedTest> &tests, std::size_t of);
+
+/// Compares two tests as their files have them. Null if a file cannot be read any more or has changed.
+[[nodiscard]] std::shared_ptr<const SinceLast> sinceLast(const ListedTest &before, const ListedTest &now);
+
+/// "changed, worse", or why nothing is said.
+[[nodiscard]] QString sinceLastWord(const SinceLast &change, const Language &language);
+
+} // namespace palmer

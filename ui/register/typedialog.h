@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "register/machinetype.h"
+#include "ui/qtforward.h"
+
+#include <QDialog>
+
+namespace palmer::ui {
+
+class FigureCard;
+
+/// The type test of the machines of one type, a parameter of an axis at a time: the values of the machines,
+/// named, both tolerance limits, normality; saved as a page.
+class TypeDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// `tests`: of the axes and parameters to choose from, not empty.
+    TypeDialog(std::vector<TypeTest> tests, QWidget *parent);
+
+private:
+    void show(int index);
+    void save();
+
+    std::vector<TypeTest> m_tests;
+    QComboBox *m_parameter;
+    FigureCard *m_figure;
+    QTextBrowser *m_text;
+};
+
+} // namespace palmer::ui
