@@ -7729,10 +7729,6 @@
         <translation>Ces arcs ne la distinguent pas de&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>an influence, in the units of the diagnosis (µm, µm/m, µrad, ms); after @ the pitch of cyclic in mm (10), the width of reversalSpike in degrees (1.5), the expansion of temperature in µm/(m·°C) (11.7), the frequency of vibration in Hz (10)</source>
-        <translation>une influence, dans les unités du diagnostic (µm, µm/m, µrad, ms)&#x202f;; après @ le pas de cyclic en mm (10), la largeur de reversalSpike en degrés (1,5), la dilatation de temperature en µm/(m·°C) (11,7), la fréquence de vibration en Hz (10)</translation>
-    </message>
-    <message>
         <source>Condition</source>
         <comment>of a fit</comment>
         <translation>Conditionnement</translation>
@@ -7784,10 +7780,6 @@
     <message>
         <source>intervention</source>
         <translation>intervention</translation>
-    </message>
-    <message>
-        <source>trend: OUT.csv, json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf</source>
-        <translation>trend&#xa0;: OUT.csv, json, svg, png ou pdf&#x202f;; report&#xa0;: OUT.pdf, en deux langues OUT.fr.pdf et OUT.en.pdf</translation>
     </message>
     <message>
         <source>language of tables and errors; report: of the report, also both</source>
@@ -10230,6 +10222,244 @@
         <translation>%1 sur %2</translation>
     </message>
     <message>
+        <source>expected nothing here, for “channels” has the readings</source>
+        <translation>rien n’est attendu ici, car «&#xa0;channels&#xa0;» contient les relevés</translation>
+    </message>
+    <message>
+        <source>expected times that ascend</source>
+        <translation>des temps croissants sont attendus</translation>
+    </message>
+    <message>
+        <source>Understood: a drift test; channels: %1; temperatures: %2; points: %3; duration: %4.</source>
+        <translation>Compris&#xa0;: un essai de dérive&#x202f;; voies&#xa0;: %1&#x202f;; températures&#xa0;: %2&#x202f;; points&#xa0;: %3&#x202f;; durée&#xa0;: %4.</translation>
+    </message>
+    <message>
+        <source>E_VE of the drift test “%1” is a lower bound: its record is shorter than the test, or has a gap of more than a tenth of it.</source>
+        <translation>L’E_VE de l’essai de dérive «&#xa0;%1&#xa0;» est une borne inférieure&#xa0;: son relevé est plus court que l’essai, ou a une lacune de plus d’un dixième de sa durée.</translation>
+    </message>
+    <message>
+        <source>Against the last</source>
+        <translation>Depuis le dernier</translation>
+    </message>
+    <message>
+        <source>%1 of the machines of the type</source>
+        <translation>%1 des machines du type</translation>
+    </message>
+    <message>
+        <source>Logarithms over normal scores</source>
+        <translation>Logarithmes selon les scores normaux</translation>
+    </message>
+    <message>
+        <source>Values over normal scores</source>
+        <translation>Valeurs selon les scores normaux</translation>
+    </message>
+    <message>
+        <source>Duration of the test</source>
+        <translation>Durée de l’essai</translation>
+    </message>
+    <message>
+        <source>Thermal behaviour</source>
+        <translation>Comportement thermique</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>Sert à</translation>
+    </message>
+    <message>
+        <source>At the beginning</source>
+        <translation>Au début</translation>
+    </message>
+    <message>
+        <source>in balance with its temperatures, as stated</source>
+        <translation>en équilibre avec ses températures, selon la déclaration</translation>
+    </message>
+    <message>
+        <source>resolution %1</source>
+        <translation>résolution %1</translation>
+    </message>
+    <message>
+        <source>as recorded, duration of the test not stated</source>
+        <translation>relevé entier, durée de l’essai non déclarée</translation>
+    </message>
+    <message>
+        <source>test of %1</source>
+        <translation>essai de %1</translation>
+    </message>
+    <message>
+        <source>half the duration, %1</source>
+        <translation>durée divisée par deux, %1</translation>
+    </message>
+    <message>
+        <source>without drift</source>
+        <translation>sans dérive</translation>
+    </message>
+    <message>
+        <source>whole record, %1</source>
+        <translation>tout le relevé, %1</translation>
+    </message>
+    <message>
+        <source>temperature held to ± %1, at worst</source>
+        <translation>température tenue à ± %1, au pire</translation>
+    </message>
+    <message>
+        <source>steps of time differ: no response</source>
+        <translation>pas de temps inégaux&#xa0;: pas de réponse</translation>
+    </message>
+    <message>
+        <source>gap in the temperature: no response</source>
+        <translation>lacune dans la température&#xa0;: pas de réponse</translation>
+    </message>
+    <message>
+        <source>too few values: no response</source>
+        <translation>trop peu de valeurs&#xa0;: pas de réponse</translation>
+    </message>
+    <message>
+        <source>no response proven</source>
+        <translation>aucune réponse prouvée</translation>
+    </message>
+    <message>
+        <source>not to be told from a straight drift</source>
+        <translation>ne se distingue pas d’une dérive rectiligne</translation>
+    </message>
+    <message>
+        <source>temperature too noisy</source>
+        <translation>température trop bruitée</translation>
+    </message>
+    <message>
+        <source>Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error, the largest range within a duration T.</source>
+        <translation>Interprétation, pas un résultat de l’ISO 230-2. E_VE(T)&#xa0;: erreur de variation environnementale, plus grande étendue sur une durée T.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Dérive</translation>
+    </message>
+    <message>
+        <source>response of %1 to %2</source>
+        <translation>réponse de %1 à %2</translation>
+    </message>
+    <message>
+        <source>Duration of the window T</source>
+        <translation>Durée de la fenêtre T</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <comment>of a drift test</comment>
+        <translation>Voie</translation>
+    </message>
+    <message>
+        <source>Share of U²(%1)</source>
+        <translation>Part de U²(%1)</translation>
+    </message>
+    <message>
+        <source>x = a + b·t + k·y; τ·dy/dt = θ − y. k and b by least squares, τ by a search; intervals of 95 % for noise that may be correlated. Of several temperatures the one that explains most.</source>
+        <translation>x = a + b·t + k·y&#x202f;; τ·dy/dt = θ − y. k et b par moindres carrés, τ par balayage&#x202f;; intervalles à 95&#xa0;% pour un bruit qui peut être corrélé. De plusieurs températures, celle qui explique le mieux.</translation>
+    </message>
+    <message>
+        <source>%1 was warm after %2.</source>
+        <translation>%1 était en température après %2.</translation>
+    </message>
+    <message>
+        <source>E_VE of %1, whole record</source>
+        <translation>E_VE de %1, tout le relevé</translation>
+    </message>
+    <message>
+        <source>Ranges of the record</source>
+        <translation>Étendues du relevé</translation>
+    </message>
+    <message>
+        <source>Response to the temperature</source>
+        <translation>Réponse à la température</translation>
+    </message>
+    <message>
+        <source>What the drift explains</source>
+        <translation>Ce que la dérive explique</translation>
+    </message>
+    <message>
+        <source>list: what has changed in each test since the last one of its axis or plane; reads their files</source>
+        <translation>list&#xa0;: ce qui a changé à chaque essai depuis le dernier de son axe ou plan&#x202f;; lit leurs fichiers</translation>
+    </message>
+    <message>
+        <source>trend: OUT.csv, json, svg, png or pdf; type: OUT.json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf</source>
+        <translation>trend&#xa0;: OUT.csv, json, svg, png ou pdf&#x202f;; type&#xa0;: OUT.json, svg, png ou pdf&#x202f;; report&#xa0;: OUT.pdf, en deux langues OUT.fr.pdf et OUT.en.pdf</translation>
+    </message>
+    <message>
+        <source>a picture shows one parameter of one axis: choose it with --parameter and --axis</source>
+        <translation>une image montre une grandeur d’un axe&#xa0;: la choisir avec --parameter et --axis</translation>
+    </message>
+    <message>
+        <source>an influence, in the units of the diagnosis (µm, µm/m, µrad, ms); after @ the pitch of cyclic in mm (10), the width of reversalSpike in degrees (1.5), the expansion of temperature in µm/(m·°C) (11.7), the frequency of vibration in Hz (10). drift: response:X=µm/°C@min (40), straight:X=µm/h, temperature=°C@h, the swing of the air and its period (12)</source>
+        <translation>une influence, dans les unités du diagnostic (µm, µm/m, µrad, ms)&#x202f;; après @ le pas de cyclic en mm (10), la largeur de reversalSpike en degrés (1,5), la dilatation de temperature en µm/(m·°C) (11,7), la fréquence de vibration en Hz (10). drift&#xa0;: response:X=µm/°C@min (40), straight:X=µm/h, temperature=°C@h, l’oscillation de l’air et sa période (12)</translation>
+    </message>
+    <message>
+        <source>drift: length of the record, h</source>
+        <translation>drift&#xa0;: durée du relevé, h</translation>
+    </message>
+    <message>
+        <source>drift: time between two values, s</source>
+        <translation>drift&#xa0;: temps entre deux valeurs, s</translation>
+    </message>
+    <message>
+        <source>Type test</source>
+        <translation>Essai de type</translation>
+    </message>
+    <message>
+        <source>The newest comparable test of each machine of a type, with upper tolerance limits: what most machines of the type stay below. The machines are those in the register, no random sample.</source>
+        <translation>Le dernier essai comparable de chaque machine d’un type, avec des limites supérieures de tolérance&#xa0;: ce que la plupart des machines du type ne dépassent pas. Les machines sont celles du registre, pas un échantillon aléatoire.</translation>
+    </message>
+    <message>
+        <source>Drift test</source>
+        <translation>Essai de dérive</translation>
+    </message>
+    <message>
+        <source>Several sensors at rest over hours, with the temperatures beside them: a table of times, deviations and temperatures is read as one drift test. The channel of an axis has its name.</source>
+        <translation>Plusieurs capteurs au repos pendant des heures, avec les températures&#xa0;: un tableau de temps, d’écarts et de températures est lu comme un seul essai de dérive. La voie d’un axe porte son nom.</translation>
+    </message>
+    <message>
+        <source>E_VE over the duration of a test</source>
+        <translation>E_VE sur la durée d’un essai</translation>
+    </message>
+    <message>
+        <source>The largest range within any window as long as the test. Only a test whose duration is stated takes it so; others take the range of the whole record. A record that is too short gives a lower bound, which is said.</source>
+        <translation>La plus grande étendue dans une fenêtre de la durée de l’essai. Seul un essai dont la durée est déclarée la prend ainsi&#x202f;; les autres prennent l’étendue de tout le relevé. Un relevé trop court donne une borne inférieure, ce qui est dit.</translation>
+    </message>
+    <message>
+        <source>How many µm a channel moves per °C, and how fast: x = a + b·t + k·y, τ·dy/dt = θ − y, with intervals of 95 % for noise that may be correlated. Where the data cannot carry it, a sentence says why. It is an interpretation, no result of the standard.</source>
+        <translation>De combien de µm une voie se déplace par&#xa0;°C, et à quelle vitesse&#xa0;: x = a + b·t + k·y, τ·dy/dt = θ − y, avec des intervalles à 95&#xa0;% pour un bruit qui peut être corrélé. Quand les données ne le permettent pas, une phrase dit pourquoi. C’est une interprétation, pas un résultat de la norme.</translation>
+    </message>
+    <message>
+        <source>How much of U it is, and what half the duration, no drift, or a temperature held to ± 1, 2 or 5 °C would make of it at worst.</source>
+        <translation>La part de U qu’elle représente, et ce qu’une durée divisée par deux, l’absence de dérive ou une température tenue à ±&#xa0;1, 2 ou 5&#xa0;°C en feraient, au pire.</translation>
+    </message>
+    <message>
+        <source>agreeing</source>
+        <translation>concordant</translation>
+    </message>
+    <message>
+        <source>interval, 95 %</source>
+        <translation>intervalle, 95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <comment>of drift</comment>
+        <translation>Cas</translation>
+    </message>
+    <message>
+        <source>Difference of the paths</source>
+        <translation>Différence des trajectoires</translation>
+    </message>
+    <message>
+        <source>Sources that both circles show</source>
+        <translation>Sources que les deux cercles montrent</translation>
+    </message>
+    <message>
+        <source>U: 95 % from both fits</source>
+        <translation>U&#xa0;: 95&#xa0;% d’après les deux ajustements</translation>
+    </message>
+    <message>
+        <source>each about its least squares centre</source>
+        <translation>chacune autour de son centre des moindres carrés</translation>
+    </message>
+    <message>
         <source>That is beyond the ends of the axis, %1 and %2.</source>
         <translation>C’est au-delà des extrémités de l’axe, %1 et %2.</translation>
     </message>
@@ -10239,15 +10469,23 @@
     </message>
     <message>
         <source>program: without it that of the machine&apos;s control</source>
-        <translation>program : sans l’option, celui de la commande de la machine</translation>
+        <translation>program&#xa0;: sans l’option, celui de la commande de la machine</translation>
     </message>
     <message>
         <source>the test has no targets to move to: plan them with %1</source>
-        <translation>l’essai n’a pas de points visés à atteindre : les planifier avec %1</translation>
+        <translation>l’essai n’a pas de points visés à atteindre&#xa0;: les planifier avec %1</translation>
     </message>
     <message>
         <source>the test names no control whose language is known: say it with %1</source>
-        <translation>l’essai ne nomme aucune commande dont le langage soit connu : l’indiquer avec %1</translation>
+        <translation>l’essai ne nomme aucune commande dont le langage soit connu&#xa0;: l’indiquer avec %1</translation>
+    </message>
+    <message>
+        <source>Variation over the duration</source>
+        <translation>Variation selon la durée</translation>
+    </message>
+    <message>
+        <source>Range of %1</source>
+        <translation>Étendue de %1</translation>
     </message>
     <message>
         <source>%1 or %2? Type one of them</source>

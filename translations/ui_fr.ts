@@ -343,6 +343,10 @@
         <source>choose the test to compare with</source>
         <translation>choisir l’essai de comparaison</translation>
     </message>
+    <message>
+        <source>take E_VE from a drift test</source>
+        <translation>prendre l’E_VE d’un essai de dérive</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -1126,7 +1130,7 @@
     </message>
     <message>
         <source>After %1, from the means at the targets: this table is not complete.</source>
-        <translation>Selon %1, à partir des moyennes aux points visés : cette table n’est pas complète.</translation>
+        <translation>Selon %1, à partir des moyennes aux points visés&#xa0;: cette table n’est pas complète.</translation>
     </message>
 </context>
 <context>
@@ -3074,6 +3078,10 @@
         <source>Comparis&amp;on</source>
         <translation>Co&amp;mparaison</translation>
     </message>
+    <message>
+        <source>T&amp;hermal behaviour</source>
+        <translation>Comportement t&amp;hermique</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NavigationList</name>
@@ -3267,7 +3275,7 @@
     </message>
     <message>
         <source>The last target is %1, not %2: to every nominal position, each %3, a random part of up to ± %4 is added so that periodic errors show, and no target may lie beyond the ends.</source>
-        <translation>Le dernier point visé est %1, et non %2 : à chaque position nominale, tous les %3, s’ajoute une part aléatoire d’au plus ± %4 qui révèle les erreurs périodiques, et aucun point ne peut dépasser les extrémités.</translation>
+        <translation>Le dernier point visé est %1, et non %2&#xa0;: à chaque position nominale, tous les %3, s’ajoute une part aléatoire d’au plus ± %4 qui révèle les erreurs périodiques, et aucun point ne peut dépasser les extrémités.</translation>
     </message>
 </context>
 <context>
@@ -3515,7 +3523,7 @@
     </message>
     <message>
         <source>Chosen by the rule of the edition; the test keeps its own until they are put into it</source>
-        <translation>Choisis selon la règle de l’édition ; l’essai garde les siens tant qu’ils n’y sont pas inscrits</translation>
+        <translation>Choisis selon la règle de l’édition&#x202f;; l’essai garde les siens tant qu’ils n’y sont pas inscrits</translation>
     </message>
 </context>
 <context>
@@ -3901,6 +3909,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <source>&amp;About Palmer</source>
         <translation>À &amp;propos de Palmer</translation>
     </message>
+    <message>
+        <source>&amp;Type test…</source>
+        <translation>Essai de &amp;type…</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::RegisterPage</name>
@@ -4094,6 +4106,14 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>Choose a folder</source>
         <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>The machines of this type have no test with a result.</source>
+        <translation>Les machines de ce type n’ont aucun essai avec un résultat.</translation>
+    </message>
+    <message>
+        <source>No type test</source>
+        <translation>Pas d’essai de type</translation>
     </message>
 </context>
 <context>
@@ -5292,6 +5312,10 @@ est la même machine que&#xa0;:</translation>
         <source>%1, outdated</source>
         <translation>%1, périmé</translation>
     </message>
+    <message>
+        <source>Test lasted, min</source>
+        <translation>Durée d’essai, min</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::VerdictMark</name>
@@ -5521,6 +5545,10 @@ est la même machine que&#xa0;:</translation>
         <source>C&amp;omparison</source>
         <translation>C&amp;omparaison</translation>
     </message>
+    <message>
+        <source>&amp;Thermal behaviour</source>
+        <translation>Comportement &amp;thermique</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ZoomButtons</name>
@@ -5730,6 +5758,64 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>↑↓ choose · Enter go there · Ctrl+Enter without closing · Esc close</source>
         <translation>↑↓ choisir · Entrée y aller · Ctrl+Entrée sans fermer · Échap fermer</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ThermalPage</name>
+    <message>
+        <source>No temperatures were recorded with the drift: no response can be told.</source>
+        <translation>Aucune température n’a été relevée avec la dérive&#xa0;: aucune réponse ne peut être déterminée.</translation>
+    </message>
+    <message>
+        <source>Take %1 into the budget</source>
+        <translation>Prendre %1 dans le budget</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Voie</translation>
+    </message>
+    <message>
+        <source>serves</source>
+        <translation>sert à</translation>
+    </message>
+    <message>
+        <source>The test that takes E_VE from here</source>
+        <translation>L’essai qui prend l’E_VE d’ici</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::TypeDialog</name>
+    <message>
+        <source>Type test of %1</source>
+        <translation>Essai de type de %1</translation>
+    </message>
+    <message>
+        <source>Axis and parameter</source>
+        <translation>Axe et grandeur</translation>
+    </message>
+    <message>
+        <source>Values of the machines</source>
+        <translation>Valeurs des machines</translation>
+    </message>
+    <message>
+        <source>&amp;Axis and parameter</source>
+        <translation>&amp;Axe et grandeur</translation>
+    </message>
+    <message>
+        <source>&amp;Save PDF…</source>
+        <translation>&amp;Enregistrer le PDF…</translation>
+    </message>
+    <message>
+        <source>Save the type test</source>
+        <translation>Enregistrer l’essai de type</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documents PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The type test was not saved</source>
+        <translation>L’essai de type n’a pas été enregistré</translation>
     </message>
 </context>
 </TS>

@@ -11,6 +11,7 @@
 #include "kernel/diagnosis/synthesize.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/plane.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <QFileInfo>
 #include <QStringList>
@@ -30,7 +31,8 @@ constexpr std::array synthesizeOptions{
            REPORT_TEXT("report", "an influence, in the units of the diagnosis (µm, µm/m, µrad, ms); after @ "
                                  "the pitch of cyclic in mm (10), the width of reversalSpike in degrees "
                                  "(1.5), the expansion of temperature in µm/(m·°C) (11.7), the frequency of "
-                                 "vibration in Hz (10)"),
+                                 "vibration in Hz (10). drift: response:X=µm/°C@min (40), straight:X=µm/h, "
+                                 "temperature=°C@h, the swing of the air and its period (12)"),
            true},
     Option{"plane", "XY", REPORT_TEXT("report", "circular: the plane, first and second axis"), false,
            "circular"},
@@ -50,6 +52,8 @@ constexpr std::array synthesizeOptions{
            false, "positioning"},
     Option{"targets", "11", REPORT_TEXT("report", "positioning: number of targets"), false, "positioning"},
     Option{"runs", "5", REPORT_TEXT("report", "positioning: runs each way"), false, "positioning"},
+    Option{"hours", "8", REPORT_TEXT("report", "drift: length of the record, h"), false, "drift"},
+    Option{"step", "60", REPORT_TEXT("report", "drift: time between two values, s"), false, "drift"},
     Option{"noise", "0.1", REPORT_TEXT("report", "standard deviation of the noise, µm; without it 0")},
     Option{"correlation", "0", REPORT_TEXT("report", "of neighbouring readings, 0 to below 1"), false,
            "noise"},
@@ -106,11 +110,15 @@ constexpr std::array positioningKeys{
     PositioningKey{"temperature", &PositioningSynthesis::temperature, 1, 20}};
 
 constexpr const char *circularWord = "circular";
+constexpr const char *driftWord = "drift";
 
 [[noreturn]] void refuseSource(const Invocation &invocation, const QString &given) {
     std::string ids;
     const auto add = [&ids](const char *id) { ids += (ids.empty() ? "" : ", ") + std::string(id); };
-    if (invocation.arguments.front() == QLatin1StringView(circularWord)) {
+    if (invocation.arguments.front() == QLatin1StringView(driftWord)) {
+        for (const char *id : {"response", "straight", "temperature"})
+            add(id);
+    } else if (invocation.arguments.front() == QLatin1StringView(circularWord)) {
         for (const Influence &influence : influences())
             add(influence.word);
     } else {
@@ -260,12 +268,47 @@ PositioningSynthesis positioning(const Invocation &invocation) {
     return asked;
 }
 
+DriftSynthesis drift(const Invocation &invocation) {
+    constexpr double minute = 60;
+    constexpr double hour = 3600;
+    constexpr double mostHours = 1000;
+    constexpr double mostRows = 1e6;
+    DriftSynthesis asked;
+    if (invocation.has("pause"))
+        refuseEffect("--pause", circularWord);
+    asked.length = number(invocation, "hours", asked.length / hour, smallest, mostHours) * hour;
+    asked.step =
+        number(invocation, "step", asked.step, std::max(smallest, asked.length / mostRows), asked.length);
+    for (const GivenSource &given : givenSources(invocation)) {
+        if (given.id == QLatin1StringView("temperature") && given.axis.isEmpty()) {
+            asked.swing = given.value;
+            asked.period = given.shape ? *given.shape * hour : asked.period;
+            continue;
+        }
+        const bool responds = given.id == QLatin1StringView("response");
+        if ((!responds && given.id != QLatin1StringView("straight")) || (!responds && given.shape))
+            refuseSource(invocation, given.whole);
+        const std::string name = given.axis.isEmpty() ? "X" : given.axis.toStdString();
+        auto channel = std::ranges::find(asked.channels, name, &DriftChannelSynthesis::name);
+        if (channel == asked.channels.end())
+            channel = asked.channels.insert(asked.channels.end(), DriftChannelSynthesis{name});
+        (responds ? channel->perDegree : channel->slope) = given.value / micrometres / (responds ? 1 : hour);
+        if (given.shape)
+            channel->tau = *given.shape * minute;
+    }
+    if (asked.channels.empty())
+        asked.channels.emplace_back();
+    asked.noise = noise(invocation);
+    return asked;
+}
+
 TestPointer madeTest(const Language &language, const char *id, decltype(Test::measurement) measurement) {
     Test test;
     test.id = id;
     test.title = language.text(REPORT_TEXT("report", "Made by computation, not measured")).toStdString();
     test.measurement = std::move(measurement);
-    test.edition = defaultEdition(kindOf(test)).word;
+    if (isJudged(test))
+        test.edition = defaultEdition(kindOf(test)).word;
     return std::make_shared<const Test>(std::move(test));
 }
 
@@ -293,13 +336,20 @@ void requireOutputs(const Invocation &invocation, const QString &output) {
 int runSynthesize(const Invocation &invocation) {
     const QString &kind = invocation.arguments.front();
     const bool isCircular = kind == QLatin1StringView(circularWord);
-    if (invocation.arguments.size() != 1 || (!isCircular && kind != QLatin1StringView("positioning")))
+    const bool isDrift = kind == QLatin1StringView(driftWord);
+    if (invocation.arguments.size() != 1 ||
+        (!isCircular && !isDrift && kind != QLatin1StringView("positioning")))
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one word: %2"),
-                          {std::string("synthesize"), std::string("circular|positioning")}});
+                          {std::string("synthesize"), std::string("circular|positioning|drift")}});
     const QString output = neededOutput(invocation, "synthesize", "-o OUT.palmer");
     requireOutputs(invocation, output);
     Document document;
     document.writtenBy = "Palmer " PALMER_VERSION;
+    if (isDrift) {
+        const DriftSynthesis asked = drift(invocation);
+        document.tests.push_back(madeTest(namesLanguage(invocation), "made", synthesizeDrift(asked)));
+        return write(document, truthJson(asked), invocation, output);
+    }
     if (!isCircular) {
         const PositioningSynthesis asked = positioning(invocation);
         document.tests.push_back(madeTest(namesLanguage(invocation), "made", synthesizePositioning(asked)));
@@ -320,8 +370,8 @@ int runSynthesize(const Invocation &invocation) {
 } // namespace
 
 Command synthesizeCommand() {
-    return {"synthesize", "circular|positioning", REPORT_TEXT("report", "a measurement with known truth"),
-            synthesizeOptions, runSynthesize};
+    return {"synthesize", "circular|positioning|drift",
+            REPORT_TEXT("report", "a measurement with known truth"), synthesizeOptions, runSynthesize};
 }
 
 } // namespace palmer

@@ -5,6 +5,7 @@
 #include "document/comparedtests.h"
 #include "document/picture.h"
 #include "document/testsofverdict.h"
+#include "document/thermal.h"
 
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/evaluatetest.h"
@@ -105,8 +106,12 @@ Surroundings surroundings(const Document &document, const Test &test) {
             result.instruments.push_back(&*found);
     }
     result.otherTestOfLongAxis = hasOtherTest(document, test);
-    if (const std::string *drift = driftTestOf(test))
-        result.environmentalVariation = driftRange(document, *drift, motionOf(test));
+    if (const std::string *drift = driftTestOf(test)) {
+        if (const auto variation = driftVariation(document, *drift, test)) {
+            result.environmentalVariation = variation->value;
+            result.variationIsLowerBound = variation->isLowerBound;
+        }
+    }
     return result;
 }
 
@@ -116,7 +121,8 @@ bool sameContent(const Surroundings &a, const Surroundings &b) {
            a.picturesReadable == b.picturesReadable && a.reportDate == b.reportDate &&
            a.performedFrom == b.performedFrom && a.performedTo == b.performedTo &&
            a.accredited == b.accredited && a.environmentalVariation == b.environmentalVariation &&
-           a.simulation == b.simulation && a.simulationOutdated == b.simulationOutdated &&
+           a.variationIsLowerBound == b.variationIsLowerBound && a.simulation == b.simulation &&
+           a.simulationOutdated == b.simulationOutdated &&
            std::ranges::equal(a.instruments, b.instruments,
                               [](const Instrument *x, const Instrument *y) { return *x == *y; });
 }
@@ -219,13 +225,29 @@ Surroundings surroundingsOf(const Document &document, std::size_t test) {
     return surroundings(document, *document.tests[test]);
 }
 
-std::optional<double> driftRange(const Document &document, const std::string &id, Motion motion) {
-    for (const TestPointer &test : document.tests) {
-        const auto range = rangeAtRest(*test);
-        if (range && test->id == id && motionOf(*test) == motion)
-            return range;
+std::optional<Variation> driftVariation(const Document &document, const std::string &id, const Test &test) {
+    const auto quantity =
+        motionOf(test) == Motion::linear ? ChannelQuantity::deviation : ChannelQuantity::angularDeviation;
+    const std::string axes = axesOf(test);
+    constexpr double minute = 60;
+    const auto duration = test.duration ? std::optional(*test.duration * minute) : std::nullopt;
+    std::optional<Variation> largest;
+    for (const TestPointer &other : document.tests) {
+        const auto *drift = std::get_if<DriftMeasurement>(&other->measurement);
+        if (!drift || other->id != id)
+            continue;
+        for (const DriftChannel &channel : channelsOf(*drift)) {
+            const bool named =
+                drift->channels.empty() || channel.name == axes ||
+                (!axisOf(test) && !channel.name.empty() && axes.find(channel.name) != std::string::npos);
+            const auto found = named && channel.quantity == quantity
+                                   ? variationOf(drift->times, channel.values, duration)
+                                   : std::nullopt;
+            if (found && (!largest || found->value > largest->value))
+                largest = found;
+        }
     }
-    return std::nullopt;
+    return largest;
 }
 
 std::optional<Verdict> EvaluatedDocument::verdict() const {

@@ -6,6 +6,7 @@
 #include "kernel/evaluation/evaluatesheet.h"
 #include "kernel/evaluation/testevaluation.h"
 #include "kernel/simulation/simulate.h"
+#include "kernel/thermal/variation.h"
 
 #include <functional>
 #include <memory>
@@ -48,10 +49,12 @@ template <class Measurement>
     return test < evaluated.tests.size() ? measured<Measurement>(*evaluated.document, test) : nullptr;
 }
 
-/// Returns E_VE of the drift test with that id, mm or degrees; null if there is none with this motion, as
-/// angles are of no use to a linear axis, nor lengths to a rotary one.
-[[nodiscard]] std::optional<double> driftRange(const Document &document, const std::string &id,
-                                               Motion motion);
+/// Returns E_VE, mm or degrees, that the drift test with this id gives to a test: over the duration of the
+/// test if that is stated, else over the whole record. Of several channels that of the axis counts, of a
+/// plane the largest of its two. Null without a channel of the same kind: angles are of no use to a linear
+/// axis, nor lengths to a rotary one.
+[[nodiscard]] std::optional<Variation> driftVariation(const Document &document, const std::string &id,
+                                                      const Test &test);
 
 /// Evaluates all tests; those unchanged since `previous` keep their evaluation. `edition`: word of another
 /// edition for all tests of its kind (a view, no verdicts); empty: each its own.

@@ -435,6 +435,20 @@ void fields(Visit &visit, T &measurement) {
     visit("uncertainty", measurement.uncertainty);
 }
 
+template <class Visit, Like<DriftChannel> T>
+void fields(Visit &visit, T &channel) {
+    visit("name", channel.name, obligatory);
+    visit("quantity", channel.quantity);
+    visit("values", channel.values, obligatory | reading);
+}
+
+template <class Visit, Like<DriftTemperature> T>
+void fields(Visit &visit, T &temperature) {
+    visit("measures", temperature.measures, obligatory);
+    visit("resolution", temperature.resolution, notNegative);
+    visit("values", temperature.values, obligatory | celsius);
+}
+
 template <class Visit, Like<DriftMeasurement> T>
 void fields(Visit &visit, T &measurement) {
     visit.object("axis", [&](auto &axis) {
@@ -442,7 +456,12 @@ void fields(Visit &visit, T &measurement) {
         axis("motion", measurement.axis.motion);
     });
     visit("times", measurement.times, obligatory);
-    visit("deviations", measurement.deviations, obligatory | reading);
+    visit("channels", measurement.channels, latest);
+    // Several channels have the readings instead.
+    visit("deviations", measurement.deviations,
+          reading | (measurement.channels.empty() ? obligatory : latest));
+    visit("temperatures", measurement.temperatures, latest);
+    visit("settled", measurement.settled, latest);
 }
 
 /// The keys of a test and of its measurement, in one object; `kind` is handled by reader and writer. Drift
@@ -459,6 +478,7 @@ void fields(Visit &visit, T &test) {
         visit("purpose", test.purpose, added);
         visit("role", test.role, added);
         visit("declaredAccordance", test.declaredAccordance, added);
+        visit("duration", test.duration, positive | latest);
         visit("comparedWith", test.comparedWith, latest);
         visit("agreedPoints", test.agreedPoints);
         visit("limits", test.limits);

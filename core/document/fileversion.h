@@ -15,7 +15,8 @@ inline constexpr const char *fileFormat = "palmer test report";
 // 2  requirements of the texts of the editions: purpose, role, declared accordance, further conditions,
 //    agreed numbers; the state of an agreed point is obligatory; a diagnosis is requested, not omitted.
 // 3  what an accredited laboratory states: traceability, reason of a revision, country, contact, rounding;
-//    the acceptance sheet; the test that a test is compared with.
+//    the acceptance sheet; the test that a test is compared with; its
+//    duration; channels and temperatures of a drift test.
 
 /// The step at index v − 1 converts the JSON of version v to version v + 1.
 using Migration = void (*)(nlohmann::json &file);

@@ -34,6 +34,9 @@ inline constexpr auto fileWords<Kind> = wordsInOrder<Kind>("positioning", "circu
 template <>
 inline constexpr auto fileWords<Motion> = wordsInOrder<Motion>("linear", "rotary");
 template <>
+inline constexpr auto fileWords<ChannelQuantity> = wordsInOrder<ChannelQuantity>("deviation",
+                                                                                 "angularDeviation");
+template <>
 inline constexpr auto fileWords<Direction> = wordsInOrder<Direction>("positive", "negative");
 template <>
 inline constexpr auto fileWords<Cycle> = wordsInOrder<Cycle>("standard", "step");

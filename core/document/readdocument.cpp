@@ -114,7 +114,27 @@ void check(const Arc &arc, const Place &place) {
 }
 
 void check(const DriftMeasurement &measurement, const Place &place) {
-    requireEqual(measurement.deviations.size(), measurement.times.size(), Place(place, "deviations"));
+    const std::size_t count = measurement.times.size();
+    if (measurement.channels.empty())
+        requireEqual(measurement.deviations.size(), count, Place(place, "deviations"));
+    else
+        require(measurement.deviations.empty(), Place(place, "deviations"),
+                REPORT_TEXT("report", "expected nothing here, for “channels” has the readings"));
+    const auto requireAll = [&](const char *key, const auto &series) {
+        const Place atSeries(place, key);
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            const Place at(atSeries, i);
+            requireEqual(series[i].values.size(), count, Place(at, "values"));
+        }
+    };
+    requireAll("channels", measurement.channels);
+    requireAll("temperatures", measurement.temperatures);
+    if (!measurement.channels.empty() && !std::ranges::is_sorted(measurement.times)) {
+        const auto at = std::ranges::is_sorted_until(measurement.times);
+        const Place atTimes(place, "times");
+        refuseAt(Place(atTimes, static_cast<std::size_t>(at - measurement.times.begin())),
+                 REPORT_TEXT("report", "expected times that ascend"));
+    }
 }
 
 void check(const PositioningMeasurement &measurement, const Place &place) {

@@ -41,20 +41,22 @@ void removeReadings(CircularMeasurement &measurement) {
 void removeReadings(DriftMeasurement &measurement) {
     measurement.times.clear();
     measurement.deviations.clear();
+    measurement.channels.clear();
+    measurement.temperatures.clear();
 }
 
 /// Replaces the reference to a drift test, which the reader will not have, by its range.
 void copyDriftRange(const Document &document, Test &test) {
     const std::string *id = driftTestOf(test);
-    const auto range = id ? driftRange(document, *id, motionOf(test)) : std::nullopt;
+    const auto found = id ? driftVariation(document, *id, test) : std::nullopt;
     constexpr double micrometres = 1000;
     constexpr double arcSeconds = 3600;
     const double unit = motionOf(test) == Motion::linear ? micrometres : arcSeconds;
     test.comparedWith.reset(); // likewise
     withUncertainty(test, [&](auto &inputs) {
         inputs.driftTest.reset();
-        if (range && !inputs.environmentalVariation)
-            inputs.environmentalVariation = *range * unit;
+        if (found && !inputs.environmentalVariation)
+            inputs.environmentalVariation = found->value * unit;
     });
 }
 

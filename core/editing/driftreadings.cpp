@@ -3,6 +3,7 @@
 #include "editing/driftreadings.h"
 
 #include "editing/pastedtable.h"
+#include "kernel/measurement/testfacts.h"
 #include "tables/contenterror.h"
 
 #include <algorithm>
@@ -12,12 +13,14 @@ namespace palmer {
 
 void setDriftReadings(Test &test, std::size_t row, const std::vector<DriftReading> &readings) {
     auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
-    if (!drift)
+    if (!drift || !drift->channels.empty())
         return;
     row = std::min(row, drift->times.size());
     const std::size_t end = std::max(drift->times.size(), row + readings.size());
     drift->times.resize(end);
     drift->deviations.resize(end);
+    for (DriftTemperature &temperature : drift->temperatures)
+        temperature.values.resize(end);
     for (const DriftReading &reading : readings) {
         drift->times[row] = reading.time;
         drift->deviations[row++] = reading.deviation;
@@ -26,15 +29,17 @@ void setDriftReadings(Test &test, std::size_t row, const std::vector<DriftReadin
 
 void removeDriftReadings(Test &test, std::size_t row, std::size_t count) {
     auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
-    if (!drift || row >= drift->times.size())
+    if (!drift || !drift->channels.empty() || row >= drift->times.size())
         return;
     count = std::min(count, drift->times.size() - row);
-    const auto cut = [&](std::vector<double> &values) {
+    const auto cut = [&](auto &values) {
         const auto first = values.begin() + static_cast<std::ptrdiff_t>(row);
         values.erase(first, first + static_cast<std::ptrdiff_t>(count));
     };
     cut(drift->times);
     cut(drift->deviations);
+    for (DriftTemperature &temperature : drift->temperatures)
+        cut(temperature.values);
 }
 
 PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion, const DisplayUnits &units,
@@ -52,8 +57,11 @@ PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion, const Di
     const auto &drift = std::get<DriftMeasurement>(imported.test->measurement);
     if (drift.axis.motion != motion)
         refuseContent(REPORT_TEXT("report", "the unit of the readings is not one of this axis"));
-    for (std::size_t i = 0; i < drift.times.size(); ++i)
-        result.readings.push_back({drift.times[i], drift.deviations[i]});
+    const std::vector<DriftChannel> channels = channelsOf(drift); // of several the first one
+    for (std::size_t i = 0; i < drift.times.size() && !channels.empty(); ++i) {
+        if (const auto &value = channels.front().values[i])
+            result.readings.push_back({drift.times[i], *value});
+    }
     result.taken = result.readings.size();
     return result;
 }

@@ -29,6 +29,8 @@ void forgetReadings(CircularMeasurement &measurement) {
 }
 
 void forgetReadings(DriftMeasurement &measurement) {
+    measurement.channels.clear();
+    measurement.temperatures.clear();
     measurement.times.clear();
     measurement.deviations.clear();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/typicalvalues.h"
 
+#include "document/evaluateddocument.h"
 #include "document/setfield.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/positioningbudget.h"
@@ -70,7 +71,8 @@ std::vector<TestPointer> driftTestsFor(const Document &document, const Test &tes
     const std::string *named = driftTestOf(test);
     for (const TestPointer &other : document.tests) {
         if (!isJudged(*other) && !other->id.empty() &&
-            (motionOf(*other) == motionOf(test) || (named && *named == other->id)))
+            (motionOf(*other) == motionOf(test) || driftVariation(document, other->id, test) ||
+             (named && *named == other->id)))
             result.push_back(other);
     }
     return result;
@@ -84,13 +86,13 @@ std::vector<TypicalValue> typicalValues(const Document &document, const Test &te
     else if (motionOf(test) == Motion::linear)
         addLinear(values, language);
     for (const TestPointer &drift : driftTestsFor(document, test)) {
-        const auto range = rangeAtRest(*drift);
-        if (!range || motionOf(*drift) != motionOf(test))
+        const auto found = driftVariation(document, drift->id, test);
+        if (!found)
             continue;
         constexpr int decimals = 2;
         values.push_back(
             {said(language, REPORT_TEXT("report", "E_VE: %1"),
-                  language.quantity(*range, deviationQuantity(*drift), decimals)),
+                  language.quantity(found->value, deviationQuantity(test), decimals)),
              driftTestName(*drift, language),
              {{"uncertainty.driftTest", drift->id}, {"uncertainty.environmentalVariation", "null"}}});
     }

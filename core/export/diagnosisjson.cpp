@@ -219,4 +219,33 @@ QByteArray truthJson(const PositioningSynthesis &asked) {
     return printed(truth);
 }
 
+QByteArray truthJson(const DriftSynthesis &asked) {
+    constexpr double minute = 60;
+    constexpr double hour = 3600;
+    Json truth = truthHead("drift");
+    truth["hours"] = asked.length / hour;
+    truth["step"] = asked.step;
+    Json sources = Json::array();
+    sources.push_back({{"id", "temperature"},
+                       {"axis", nullptr},
+                       {"value", asked.swing},
+                       {"unit", "°C"},
+                       {"hours", asked.period / hour}});
+    for (const DriftChannelSynthesis &channel : asked.channels) {
+        sources.push_back({{"id", "response"},
+                           {"axis", channel.name},
+                           {"value", channel.perDegree * micrometres},
+                           {"unit", "µm/°C"},
+                           {"timeConstant", channel.tau / minute}});
+        if (channel.slope != 0)
+            sources.push_back({{"id", "straight"},
+                               {"axis", channel.name},
+                               {"value", channel.slope * micrometres * hour},
+                               {"unit", "µm/h"}});
+    }
+    truth["sources"] = std::move(sources);
+    truth["noise"] = noiseJson(asked.noise);
+    return printed(truth);
+}
+
 } // namespace palmer

@@ -27,5 +27,6 @@ namespace palmer {
 /// diagnosis. Ends with a line break.
 [[nodiscard]] QByteArray truthJson(const CircularSynthesis &asked, std::span<const double> feeds);
 [[nodiscard]] QByteArray truthJson(const PositioningSynthesis &asked);
+[[nodiscard]] QByteArray truthJson(const DriftSynthesis &asked);
 
 } // namespace palmer

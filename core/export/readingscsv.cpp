@@ -91,11 +91,19 @@ void writeReadings(CsvWriter &csv, const CircularMeasurement &m, const TestEvalu
 
 void writeReadings(CsvWriter &csv, const DriftMeasurement &m, const TestEvaluation & /*evaluation*/) {
     csv.text("time (s)");
-    csv.text(std::string("deviation (") + unitOf(m.axis.motion) + ')');
+    const std::vector<DriftChannel> channels = channelsOf(m);
+    for (const DriftChannel &channel : channels)
+        csv.text((m.channels.empty() ? "deviation" : channel.name) +
+                 (channel.quantity == ChannelQuantity::deviation ? " (mm)" : " (deg)"));
+    for (const DriftTemperature &temperature : m.temperatures)
+        csv.text(temperature.measures + " (°C)");
     csv.endRow();
     for (std::size_t i = 0; i < m.times.size(); ++i) {
         csv.number(m.times[i]);
-        csv.number(m.deviations[i]);
+        for (const DriftChannel &channel : channels)
+            csv.number(channel.values[i]);
+        for (const DriftTemperature &temperature : m.temperatures)
+            csv.number(temperature.values[i]);
         csv.endRow();
     }
 }
@@ -121,7 +129,23 @@ Json asJson(const CircularMeasurement &m) {
 }
 
 Json asJson(const DriftMeasurement &m) {
-    return {{"times", m.times}, {"deviations", m.deviations}};
+    if (m.channels.empty() && m.temperatures.empty())
+        return {{"times", m.times}, {"deviations", m.deviations}};
+    const auto listOf = [](const std::vector<std::optional<double>> &values) {
+        Json list = Json::array();
+        for (const auto &value : values)
+            list.push_back(value ? Json(*value) : Json(nullptr));
+        return list;
+    };
+    Json channels = Json::array();
+    for (const DriftChannel &channel : channelsOf(m))
+        channels.push_back({{"name", channel.name},
+                            {"quantity", fileWord(channel.quantity)},
+                            {"values", listOf(channel.values)}});
+    Json temperatures = Json::array();
+    for (const DriftTemperature &one : m.temperatures)
+        temperatures.push_back({{"measures", one.measures}, {"values", listOf(one.values)}});
+    return {{"times", m.times}, {"channels", std::move(channels)}, {"temperatures", std::move(temperatures)}};
 }
 
 } // namespace

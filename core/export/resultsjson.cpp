@@ -5,6 +5,7 @@
 #include "document/json.h"
 #include "document/jsonformats.h"
 #include "document/resultwords.h"
+#include "document/thermal.h"
 #include "export/diagnosisjson.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
@@ -182,10 +183,43 @@ Json ownResults(const CircularMeasurement & /*measurement*/, const CircularResul
             {"correction", number(results.correction)}};
 }
 
+/// mm or degrees per °C, and s; without values where the data carry no response.
+Json responseOf(const ThermalResponse &response, const std::string &temperature, bool best) {
+    const bool found = response.state == ResponseState::found;
+    const auto value = [&](std::optional<double> one) { return found ? number(one) : Json(nullptr); };
+    const auto range = [&](const Range &one) { return Json{value(one.low), value(one.high)}; };
+    return {{"temperature", temperature},
+            {"state", fileWord(response.state)},
+            {"best", best},
+            {"perDegree", value(response.k)},
+            {"perDegreeInterval", range(response.kRange)},
+            {"timeConstant", value(response.tau)},
+            {"timeConstantInterval", range(response.tauRange)},
+            {"slope", value(response.slope)},
+            {"slopeInterval", range(response.slopeRange)},
+            {"residual", value(response.residual)},
+            {"count", response.count}};
+}
+
 Json ownResults(const DriftMeasurement &measurement, const DriftResults &results,
                 const UncertaintyEvaluation & /*evaluation*/) {
-    return {{"range", number(results.range)},
-            {"unit", measurement.axis.motion == Motion::rotary ? "deg" : "mm"}};
+    Json own{{"range", number(results.range)},
+             {"unit", measurement.axis.motion == Motion::rotary ? "deg" : "mm"}};
+    if (measurement.channels.empty() && measurement.temperatures.empty())
+        return own;
+    Json channels = Json::array();
+    for (const ThermalChannel &one : thermalChannels(measurement)) {
+        Json responses = Json::array();
+        for (std::size_t i = 0; i < one.responses.size(); ++i)
+            responses.push_back(
+                responseOf(one.responses[i], measurement.temperatures[i].measures, one.best == i));
+        channels.push_back({{"name", one.channel.name},
+                            {"unit", one.channel.quantity == ChannelQuantity::deviation ? "mm" : "deg"},
+                            {"range", one.whole ? number(one.whole->value) : Json(nullptr)},
+                            {"responses", std::move(responses)}});
+    }
+    own["channels"] = std::move(channels);
+    return own;
 }
 
 /// Prints target by target: a tree of 10⁵ targets would take more memory than everything else.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/testfigures.h"
 
+#include "document/thermal.h"
 #include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 
@@ -41,19 +42,23 @@ CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, cons
     const DriftResults &results = resultsOf(measurement, evaluation);
     const Quantity quantity = deviationQuantity(measurement.axis);
     const double scale = unitScale(quantity, language.units());
-    const std::size_t count = std::min(measurement.times.size(), measurement.deviations.size());
+    const DriftChannel channel = mainChannel(measurement);
+    const std::size_t count = std::min(measurement.times.size(), channel.values.size());
     const double last =
         count > 0 ? *std::max_element(measurement.times.begin(),
                                       measurement.times.begin() + static_cast<std::ptrdiff_t>(count))
                   : 0;
     const TimeUnit unit = timeUnit(last);
     CurveFigure figure;
-    figure.title = language.sentence(REPORT_TEXT("report", "Drift of the %1 axis"), {measurement.axis.name});
+    figure.title = language.sentence(REPORT_TEXT("report", "Drift of the %1 axis"),
+                                     {channel.name.empty() ? measurement.axis.name : channel.name});
     Curve curve{CurveRole::drift, {}};
     curve.points.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-        curve.points.push_back({measurement.times[i] / unit.seconds, measurement.deviations[i] * scale,
-                                static_cast<int>(i) + 1});
+    for (std::size_t i = 0; i < count; ++i) {
+        if (channel.values[i])
+            curve.points.push_back(
+                {measurement.times[i] / unit.seconds, *channel.values[i] * scale, static_cast<int>(i) + 1});
+    }
     figure.x.quantity = language.text(REPORT_TEXT("report", "Time"));
     figure.x.symbol = QStringLiteral("t");
     figure.x.unit = QString::fromLatin1(unit.symbol);

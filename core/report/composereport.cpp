@@ -326,6 +326,7 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
         addDriftTests(report.blocks, write, evaluated);
         addTraceability(report.blocks, write, evaluated);
     }
+    addThermalPages(report.blocks, evaluated, write);
     addStatements(report.blocks, write, document, report.making, report.fingerprint,
                   foreignCharacters(report), several ? 1 : 2);
     addSignatures(report.blocks, write, head);

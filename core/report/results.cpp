@@ -6,6 +6,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 #include "report/parts/parts.h"
+#include "report/parts/thermalparts.h"
 #include "report/tables/findinglines.h"
 #include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"
@@ -189,8 +190,27 @@ private:
                               std::back_inserter(m_report.blocks));
     }
 
-    void addOwn(const Test & /*test*/, const TestEvaluation & /*evaluation*/, const DriftMeasurement &drift,
+    void addOwn(const Test &test, const TestEvaluation & /*evaluation*/, const DriftMeasurement &drift,
                 const DriftResults &results) {
+        if (hasThermalPage(test)) {
+            const std::vector<ThermalChannel> channels = thermalChannels(drift);
+            KeyValues ranges;
+            for (const ThermalChannel &one : channels)
+                ranges.rows.push_back(
+                    {say(REPORT_TEXT("report", "E_VE of %1, whole record"), {one.channel.name}),
+                     one.whole ? m_language.quantity(one.whole->value,
+                                                     one.channel.quantity == ChannelQuantity::deviation
+                                                         ? Quantity::deviation
+                                                         : Quantity::angularDeviation,
+                                                     2)
+                               : QString()});
+            m_report.blocks.emplace_back(std::move(ranges));
+            if (!drift.temperatures.empty())
+                m_report.blocks.emplace_back(responseTable(drift, channels, m_language));
+            for (const QString &note : thermalNotes(drift, channels, m_language))
+                m_report.blocks.emplace_back(Paragraph{note, TextSize::small});
+            return;
+        }
         const Quantity quantity = deviationQuantity(drift.axis);
         m_report.blocks.emplace_back(
             KeyValues{{{text(REPORT_TEXT("report", "Environmental variation error (max − min)")),

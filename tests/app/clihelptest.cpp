@@ -138,7 +138,7 @@ private slots:
         QCOMPARE(following({"evaluate", "--table", ""}), (QStringList{"csv", "text"}));
         QCOMPARE(following({"evaluate", "--table=t"}), QStringList{"--table=text"});
         QCOMPARE(following({"--language", "fr", "che"}), QStringList{"check"});
-        QCOMPARE(following({"synthesize", ""}), (QStringList{"circular", "positioning"}));
+        QCOMPARE(following({"synthesize", ""}), (QStringList{"circular", "positioning", "drift"}));
         QCOMPARE(following({"import", "--set", "unit=a"}), (QStringList{"unit=arcmin", "unit=arcsec"}));
         QCOMPARE(following({"import", "--set", "deci"}), QStringList{"decimalMark="});
         QCOMPARE(following({"import", "--help", ""}), QStringList{"KEYS"});

@@ -69,7 +69,7 @@ constexpr Layer layers[]{
     {"ui/forms", "kernel document language editing report print ui ui/model"},
     {"ui/results", "kernel document language report print ui ui/model"},
     {"ui/readings", "kernel document language figures editing report print ui ui/model"},
-    {"ui/drift", "kernel document language editing ui ui/model"},
+    {"ui/drift", "kernel document language editing report ui ui/model ui/figures"},
     {"ui/circles", "kernel document language tables import editing figures print ui ui/model ui/forms"},
     {"ui/uncertainty", "kernel language figures editing report ui ui/model ui/forms ui/figures"},
     {"ui/comparison", "kernel document language import figures report ui ui/model ui/figures"},

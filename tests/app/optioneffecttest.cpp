@@ -165,6 +165,7 @@ std::vector<Base> OptionEffectTest::bases() const {
         {"synthesize a machine",
          {"synthesize", "circular", "--source", "radiusDrift=3", "-o", "OUT/s.palmer"}},
         {"synthesize one sense", {"synthesize", "circular", "--senses", "clockwise", "-o", "OUT/s.palmer"}},
+        {"synthesize a drift test", {"synthesize", "drift", "-o", "OUT/s.palmer"}},
         {"synthesize an axis", {"synthesize", "positioning", "-o", "OUT/s.palmer"}},
         {"synthesize a noisy axis", {"synthesize", "positioning", "--noise", "0.1", "-o", "OUT/s.palmer"}},
         {"self-test", {"selftest", at("reference")}},

@@ -291,7 +291,7 @@ void SynthesizeCommandTest::wrongUsage_data() {
     QTest::addColumn<QStringList>("arguments");
     const auto row = [](const char *name, const QStringList &arguments) { QTest::newRow(name) << arguments; };
     row("no kind", {"-o", "x.palmer"});
-    row("unknown kind", {"drift", "-o", "x.palmer"});
+    row("unknown kind", {"spiral", "-o", "x.palmer"});
     row("two kinds", {"circular", "positioning", "-o", "x.palmer"});
     row("no output", {"circular"});
     row("unknown source", {"circular", "--source", "rust=1", "-o", "x.palmer"});

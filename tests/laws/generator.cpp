@@ -13,11 +13,11 @@ namespace {
 
 /// Made by code, or tied to other fields of the file.
 const std::set<std::string> made{
-    "kind",       "id",         "instruments", "targets",      "runs",          "excluded", "arcs",
-    "times",      "deviations", "zone",        "logo",         "mark",          "data",     "series",
-    "extensions", "limits",     "expanded",    "driftTest",    "imports",       "editions", "languages",
-    "format",     "version",    "tests",       "agreedPoints", "nominalRadius", "trials",   "seed",
-    "method",     "plane",      "comparedWith"};
+    "kind",       "id",         "instruments",  "targets",      "runs",          "excluded", "arcs",
+    "times",      "deviations", "zone",         "logo",         "mark",          "data",     "series",
+    "extensions", "limits",     "expanded",     "driftTest",    "imports",       "editions", "languages",
+    "format",     "version",    "tests",        "agreedPoints", "nominalRadius", "trials",   "seed",
+    "method",     "plane",      "comparedWith", "channels",     "temperatures"};
 
 /// Exempt from the law of silence: what is measured and what is asked, and what only shapes the report.
 /// `motion` and `source` say what was measured, `role` which tests the verdict rests on.
@@ -33,7 +33,8 @@ const std::set<std::string> exempt{"targets",      "runs",
                                    "extensions",   "standardDeviation",
                                    "centring",     "referenceCircle",
                                    "plane",        "role",
-                                   "comparedWith"};
+                                   "comparedWith", "channels",
+                                   "temperatures", "settled"};
 
 /// How large numbers are, by key; the schema has no such facts.
 struct Size {
@@ -319,7 +320,16 @@ Json Generator::drift() {
     Json test = object(m_schema.at("$defs").at("driftTest"));
     test["kind"] = "drift";
     test["times"] = {0, 60, 120.5};
-    test["deviations"] = {0.0, 0.0004, 0.0011};
+    if (chance(0.5)) {
+        test["deviations"] = {0.0, 0.0004, 0.0011};
+        return test;
+    }
+    test["channels"] =
+        Json::array({{{"name", text(40)}, {"values", {0.0, nullptr, 0.0011}}},
+                     {{"name", "Y"}, {"quantity", "deviation"}, {"values", {0.0, 0.0002, -0.0004}}}});
+    test["temperatures"] = Json::array({{{"measures", text(40)},
+                                         {"resolution", rounded(between(0.01, 0.2), 2)},
+                                         {"values", {20.1, 20.4, nullptr}}}});
     return test;
 }
 

@@ -182,7 +182,7 @@ bool isStatement(const Json &file, const Path &path) {
 
 /// Readings are drawn and tabulated, which other tests look at; seeds and trials are of a simulation that
 /// these files do not ask for.
-const std::set<std::string> drawn{"runs",   "arcs", "times",  "deviations",
+const std::set<std::string> drawn{"runs",   "arcs", "times",  "deviations", "values",
                                   "series", "seed", "trials", "version"};
 
 /// "123" of 0.0123, which may be printed as 12.3 µm.
@@ -639,7 +639,7 @@ private:
         };
         ui::FindingsModel model;
         std::multiset<QString> listed;
-        for (int place = 0; place <= static_cast<int>(ui::Page::diagnosis); ++place) {
+        for (int place = 0; place <= static_cast<int>(ui::Page::thermal); ++place) {
             const auto page = static_cast<ui::Page>(place);
             model.show(m_followed.evaluated, i, page, english);
             for (int row = 0; row < model.rowCount(); ++row) {

@@ -27,12 +27,19 @@ int commonDecimals(const std::vector<double> &values, Quantity quantity) {
 void DriftModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
     const auto *measurement = measured<DriftMeasurement>(evaluated, test);
     const std::string id = measurement ? evaluated.document->tests[test]->id : std::string();
-    const bool same = measurement && m_measurement && id == m_id;
-    if (id == m_id)
+    const auto columnsOf = [](const DriftMeasurement &m) {
+        return m.channels.size() + m.temperatures.size();
+    };
+    const bool same = measurement && m_measurement && id == m_id &&
+                      measurement->channels.empty() == m_measurement->channels.empty() &&
+                      columnsOf(*measurement) == columnsOf(*m_measurement);
+    if (same)
         dropRefused(measurement);
     const std::shared_ptr<const Document> former = m_document; // keeps alive what was shown until now
     const int rows = m_rows;
-    const int wanted = measurement ? static_cast<int>(measurement->times.size()) + 1 : 0;
+    const int wanted =
+        measurement ? static_cast<int>(measurement->times.size()) + (measurement->channels.empty() ? 1 : 0)
+                    : 0;
     if (!same) {
         beginResetModel();
     } else if (wanted < rows) {
@@ -50,8 +57,8 @@ void DriftModel::show(const EvaluatedDocument &evaluated, std::size_t test, cons
         return;
     }
     // No reset, which would close an open editor.
-    emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
-    emit dataChanged(index(0, 0), index(m_rows - 1, columns - 1));
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+    emit dataChanged(index(0, 0), index(m_rows - 1, columnCount() - 1));
     if (wanted > rows) {
         beginInsertRows({}, rows, wanted - 1);
         m_rows = wanted;
@@ -91,7 +98,20 @@ std::size_t DriftModel::readings() const {
 }
 
 Quantity DriftModel::quantity(int column) const {
-    return column == time ? Quantity::time : deviationQuantity(m_measurement->axis);
+    if (column == time || isTyped())
+        return column == time ? Quantity::time : deviationQuantity(m_measurement->axis);
+    const auto at = static_cast<std::size_t>(column) - 1;
+    if (at >= m_measurement->channels.size())
+        return Quantity::temperature;
+    return m_measurement->channels[at].quantity == ChannelQuantity::deviation ? Quantity::deviation
+                                                                              : Quantity::angularDeviation;
+}
+
+const std::vector<std::optional<double>> &DriftModel::series(int column) const {
+    const auto at = static_cast<std::size_t>(column) - 1;
+    const std::size_t channels = m_measurement->channels.size();
+    return at < channels ? m_measurement->channels[at].values
+                         : m_measurement->temperatures[at - channels].values;
 }
 
 int DriftModel::rowCount(const QModelIndex &parent) const {
@@ -99,7 +119,9 @@ int DriftModel::rowCount(const QModelIndex &parent) const {
 }
 
 int DriftModel::columnCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(columns);
+    if (parent.isValid() || !m_measurement || isTyped())
+        return parent.isValid() ? 0 : static_cast<int>(columns);
+    return 1 + static_cast<int>(m_measurement->channels.size() + m_measurement->temperatures.size());
 }
 
 std::optional<double> DriftModel::value(const QModelIndex &index) const {
@@ -110,7 +132,9 @@ std::optional<double> DriftModel::value(const QModelIndex &index) const {
                    ? std::nullopt
                    : found->second.numbers.at(static_cast<std::size_t>(index.column()));
     }
-    return index.column() == time ? m_measurement->times[row] : m_measurement->deviations[row];
+    if (index.column() == time)
+        return m_measurement->times[row];
+    return isTyped() ? std::optional(m_measurement->deviations[row]) : series(index.column())[row];
 }
 
 QVariant DriftModel::data(const QModelIndex &index, int role) const {
@@ -131,6 +155,8 @@ QVariant DriftModel::data(const QModelIndex &index, int role) const {
     if (!shown)
         return QString();
     const Quantity of = quantity(index.column());
+    if (index.column() != time && !isTyped())
+        return m_language.number(*shown, of, 2);
     const auto &all = index.column() == time ? m_measurement->times : m_measurement->deviations;
     return m_language.number(*shown, of, role == Qt::EditRole ? -1 : commonDecimals(all, of));
 }
@@ -143,10 +169,18 @@ QVariant DriftModel::headerData(int section, Qt::Orientation orientation, int ro
     if (role != Qt::DisplayRole)
         return {};
     const QString unit = m_language.unit(quantity(section));
-    return section == time ? tr("time %1").arg(unit) : tr("deviation %1").arg(unit);
+    if (section == time || isTyped())
+        return section == time ? tr("time %1").arg(unit) : tr("deviation %1").arg(unit);
+    const auto at = static_cast<std::size_t>(section) - 1;
+    const std::size_t channels = m_measurement->channels.size();
+    const std::string &name = at < channels ? m_measurement->channels[at].name
+                                            : m_measurement->temperatures[at - channels].measures;
+    return QString::fromStdString(name) + u' ' + unit;
 }
 
 Qt::ItemFlags DriftModel::flags(const QModelIndex &index) const {
+    if (index.isValid() && !isTyped())
+        return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
     return index.isValid()
                ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemNeverHasChildren
                : Qt::ItemFlags(Qt::NoItemFlags);
@@ -164,7 +198,7 @@ bool DriftModel::undoRefused() {
 }
 
 bool DriftModel::setData(const QModelIndex &index, const QVariant &value, int role) {
-    if (role != Qt::EditRole || !index.isValid() || !m_measurement)
+    if (role != Qt::EditRole || !index.isValid() || !isTyped())
         return false;
     const QString typed = value.toString();
     if (typed == data(index, Qt::EditRole).toString())

@@ -20,7 +20,8 @@ namespace palmer::ui {
 
 /// The readings of a drift test in file order: time and deviation. The row after the last takes a new
 /// reading, which is added once both numbers are there. Refused texts and half readings stay in their cells
-/// until corrected, even while other tests are in view.
+/// until corrected, even while other tests are in view. Channels and temperatures, which come from files, are
+/// shown in columns of their own and not typed.
 class DriftModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -54,7 +55,10 @@ signals:
     void refusedText(const QString &reason);
 
 private:
+    [[nodiscard]] bool isTyped() const { return m_measurement && m_measurement->channels.empty(); }
     [[nodiscard]] Quantity quantity(int column) const;
+    /// Values of a column of channels or temperatures.
+    [[nodiscard]] const std::vector<std::optional<double>> &series(int column) const;
     [[nodiscard]] std::optional<double> value(const QModelIndex &index) const;
     [[nodiscard]] const RefusedTexts::Refused *refused(const QModelIndex &index) const;
     void dropRefused(const DriftMeasurement *now);

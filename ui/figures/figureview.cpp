@@ -4,6 +4,7 @@
 
 #include "document/savedocument.h"
 #include "document/testfile.h"
+#include "document/thermal.h"
 #include "figures/figuretexts.h"
 #include "figures/testfigures.h"
 #include "figures/thinning.h"
@@ -75,8 +76,9 @@ QString labelOf(const PositioningMeasurement &measurement, const ReadingPlace &p
 QString labelOf(const DriftMeasurement &drift, const ReadingPlace &place, const Language &language) {
     if (place.target >= drift.times.size())
         return {};
+    const std::optional<double> value = mainChannel(drift).values.at(place.target);
     return language.quantity(drift.times[place.target], Quantity::time) + QStringLiteral(" · ") +
-           language.quantity(drift.deviations[place.target], deviationQuantity(drift.axis));
+           (value ? language.quantity(*value, deviationQuantity(drift.axis)) : QString());
 }
 
 QString labelOf(const auto & /*measurement*/, const ReadingPlace & /*place*/, const Language & /*language*/) {

@@ -22,7 +22,8 @@ enum class Page {
     limits,
     uncertainty,
     comparison, ///< with another test: interpretation
-    diagnosis   ///< circular tests only: interpretation
+    diagnosis,  ///< circular tests only: interpretation
+    thermal     ///< drift tests only: interpretation
 };
 
 /// Returns the page that shows and edits the subject of a finding.

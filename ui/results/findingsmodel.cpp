@@ -40,6 +40,7 @@ QString FindingsModel::pageName(Page page) {
         return tr("Uncertainty");
     case Page::sheet: // its findings are no test's
     case Page::comparison:
+    case Page::thermal:
     case Page::diagnosis: // only an interpretation, nothing is missing
         break;
     }

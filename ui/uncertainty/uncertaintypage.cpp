@@ -402,6 +402,8 @@ void UncertaintyPage::addEnvironment(Quantity size, Member<Amount> member) {
     for (const QByteArray &name : m_driftNames)
         words.push_back(name.constData());
     addChoice({"driftTest", QT_TR_NOOP("E_VE from")}, words, environmentFrom(m_drifts), false);
+    addNumber({"duration", QT_TR_NOOP("Test lasted, min")}, Quantity::number,
+              ofTest([](auto &test) { return &test.duration; }), 1, Allowed::positive);
 }
 
 /// Settings of the simulation.
@@ -693,8 +695,9 @@ QString UncertaintyPage::driftPlaceholder() const {
     for (const TestPointer &drift : driftTestsFor(*evaluated().document, *shownTest())) {
         if (!id || *id != drift->id)
             continue;
-        const auto range = rangeAtRest(*drift);
-        return range ? language().number(*range, deviationQuantity(*drift), contributionDecimals) : QString();
+        const auto found = driftVariation(*evaluated().document, drift->id, *shownTest());
+        return found ? language().number(found->value, deviationQuantity(*shownTest()), contributionDecimals)
+                     : QString();
     }
     return {};
 }

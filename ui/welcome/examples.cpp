@@ -42,6 +42,7 @@ constexpr std::array rows{
     Row{"teaching-11-common-lag", QT_TRANSLATE_NOOP("examples", "Common lag, three feeds"), "2005", true},
     Row{"teaching-12-drift", QT_TRANSLATE_NOOP("examples", "Drift of the radius"), "2005", true},
     Row{"teaching-13-vibration", QT_TRANSLATE_NOOP("examples", "Vibration in the rest"), "2005", true},
+    Row{"thermal-behaviour", QT_TRANSLATE_NOOP("examples", "Thermal behaviour"), "2006", false},
     Row{"x-axis-as-found-as-left", QT_TRANSLATE_NOOP("examples", "As found and as left"), "2006", false},
 };
 

@@ -209,6 +209,8 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
         row(M::view, A::diagnosisPage, "page6", QT_TR_NOOP("D&iagnosis"),
             [](W &w) { w.showPageOf(Page::diagnosis); },
             {.keys = {K(ctrl | Qt::Key_6)}, .possible = hasTests}),
+        row(M::view, A::thermalPage, "page8", QT_TR_NOOP("T&hermal behaviour"),
+            [](W &w) { w.showPageOf(Page::thermal); }, {.keys = {K(ctrl | Qt::Key_8)}, .possible = hasTests}),
         lineIn(M::view),
         row(M::view, A::nextMissing, "nextMissing", QT_TR_NOOP("&Next missing statement"),
             [](W &w) { w.workplace().showNextMissing(true); },

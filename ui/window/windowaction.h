@@ -52,6 +52,7 @@ enum class WindowAction {
     uncertaintyPage,
     comparisonPage,
     diagnosisPage,
+    thermalPage,
     nextMissing,
     previousMissing,
     nextPane,

@@ -16,6 +16,7 @@
 #include "ui/comparison/comparisonside.h"
 #include "ui/diagnosis/diagnosispage.h"
 #include "ui/drift/driftpage.h"
+#include "ui/drift/thermalpage.h"
 #include "ui/figures/figureview.h"
 #include "ui/forms/agreedpointspage.h"
 #include "ui/forms/conditionspage.h"
@@ -80,18 +81,24 @@ constexpr int turnsBelow = 690 - 99;
 constexpr int lowTabsBelow = 400;
 constexpr QSize least(NavigationList::railWidth + 1 + centreWidth, 280); ///< with the page as a tab
 
-constexpr std::array testPages{Page::readings,    Page::conditions, Page::agreedPoints, Page::limits,
-                               Page::uncertainty, Page::comparison, Page::diagnosis};
+/// A tab, and the kinds of tests that have it, in the order of Kind.
+struct TestPage {
+    Page page;
+    std::array<bool, allKinds.size()> kinds;
+};
+constexpr std::array testPages{
+    TestPage{Page::readings, {true, true, true}}, TestPage{Page::conditions, {true, true}},
+    TestPage{Page::agreedPoints, {true, true}},   TestPage{Page::limits, {true, true}},
+    TestPage{Page::uncertainty, {true, true}},    TestPage{Page::comparison, {true, true}},
+    TestPage{Page::diagnosis, {false, true}},     TestPage{Page::thermal, {false, false, true}}};
 
 /// How the tests of a kind are shown.
 struct KindView {
     const char *sizes = nullptr; ///< settings key of the widths they share
-    int pages = 0;               ///< number of testPages they have
     int more = 0;                ///< px by which their page is wider, as their results need less
 };
 /// In the order of Kind.
-constexpr std::array kindViews{KindView{"positioning", 6}, KindView{"circular", 7, 28},
-                               KindView{"positioning", 1}};
+constexpr std::array kindViews{KindView{"positioning"}, KindView{"circular", 28}, KindView{"positioning"}};
 static_assert(kindViews.size() == allKinds.size());
 
 /// Widget of a pane for the keyboard: its table, otherwise a widget that is not a button, otherwise its
@@ -193,7 +200,7 @@ std::optional<Page> pageOfContext(const QString &context) {
 }
 
 int tabOf(Page page) {
-    const auto found = std::ranges::find(testPages, page);
+    const auto found = std::ranges::find(testPages, page, &TestPage::page);
     return found == testPages.end() ? -1 : static_cast<int>(found - testPages.begin());
 }
 
@@ -215,6 +222,7 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     m_right->setMinimumWidth(leastRightWidth);
     m_comparisonSide = new ComparisonSide(m_right);
     m_comparison->setSide(m_comparisonSide);
+    m_thermal->makeSide(m_right);
     m_figure = m_right->figure();
     m_results = m_right->results();
     m_findings = m_right->findings();
@@ -254,10 +262,11 @@ void Workplace::makePages(QWidget *centre) {
     m_uncertainty = new UncertaintyPage(m_model, m_evaluator, m_selection, m_pages);
     m_comparison = new ComparisonPage(m_model, m_pages);
     m_diagnosis = new DiagnosisPage(m_pages);
+    m_thermal = new ThermalPage(m_model, m_pages);
     m_reportPages = new ReportPages(m_model, m_selection, m_pages);
     for (QWidget *page :
          std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints, m_limits,
-                                          m_uncertainty, m_comparison, m_diagnosis, m_reportPages})
+                                          m_uncertainty, m_comparison, m_diagnosis, m_thermal, m_reportPages})
         m_pages->addWidget(page);
 }
 
@@ -295,7 +304,7 @@ void Workplace::connectParts() {
     connect(m_navigation, &NavigationList::testChosen, this, &Workplace::showTest);
     connect(m_tabs, &QTabBar::currentChanged, this, [this](int tab) {
         if (tab >= 0)
-            showPage(testPages.at(static_cast<std::size_t>(tab)));
+            showPage(testPages.at(static_cast<std::size_t>(tab)).page);
     });
     // Queued: the tab first gets the focus from the click.
     connect(
@@ -520,7 +529,7 @@ void Workplace::presentTest() {
     m_drift->show(m_evaluated, test);
     m_readingPages->setCurrentIndex(static_cast<int>(kind()));
     for (std::size_t i = 1; i < testPages.size(); ++i)
-        m_tabs->setTabVisible(static_cast<int>(i), hasPage(testPages.at(i)));
+        m_tabs->setTabVisible(static_cast<int>(i), hasPage(testPages.at(i).page));
     if (!hasPage(m_selection.page()))
         m_selection.setPage(Page::readings);
     m_conditions->show(m_evaluated, test);
@@ -529,9 +538,10 @@ void Workplace::presentTest() {
     m_uncertainty->show(m_evaluated, test);
     m_comparison->show(m_evaluated, test);
     m_diagnosis->show(m_evaluated, test);
+    m_thermal->show(m_evaluated, test);
     presentResults();
     for (std::size_t i = 0; i < testPages.size(); ++i)
-        m_tabs->setCount(static_cast<int>(i), countMissing(m_evaluated, test, testPages.at(i)));
+        m_tabs->setCount(static_cast<int>(i), countMissing(m_evaluated, test, testPages.at(i).page));
     if (wantsStack() != m_right->isTabbed() || width() < stackedBelow)
         arrange();
     restoreSizes();
@@ -627,7 +637,9 @@ void Workplace::presentPage() {
     }
     m_findings->setPage(page);
     m_right->setVisible(page != Page::sheet); // whose rows need the width, and are no test's
-    m_right->setInstead(page == Page::comparison ? m_comparisonSide : nullptr);
+    m_right->setInstead(page == Page::comparison ? m_comparisonSide
+                        : page == Page::thermal  ? m_thermal->side()
+                                                 : nullptr);
     presentCard();
     presentStatus();
 }
@@ -887,7 +899,8 @@ Kind Workplace::kind() const {
 }
 
 bool Workplace::hasPage(Page page) const {
-    return tabOf(page) < kindViews.at(static_cast<std::size_t>(kind())).pages;
+    const int tab = tabOf(page); // a page of the report belongs to all
+    return tab < 0 || testPages.at(static_cast<std::size_t>(tab)).kinds.at(static_cast<std::size_t>(kind()));
 }
 
 QString Workplace::sizesKey() const {
@@ -960,6 +973,7 @@ void Workplace::retranslate() {
     m_tabs->setTabText(4, tr("U&ncertainty"));
     m_tabs->setTabText(5, tr("C&omparison"));
     m_tabs->setTabText(6, tr("Dia&gnosis"));
+    m_tabs->setTabText(7, tr("&Thermal behaviour"));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
     m_circles->setLanguage(language);

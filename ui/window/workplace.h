@@ -41,6 +41,7 @@ class ResultsPanel;
 class RightSide;
 class TargetCard;
 class TestHead;
+class ThermalPage;
 class UncertaintyPage;
 
 /// A window with an open document: navigation, the pages of a test with the detail card below, and on the
@@ -161,6 +162,7 @@ private:
     ComparisonSide *m_comparisonSide = nullptr;
     DiagnosisPage *m_diagnosis = nullptr;
     DriftPage *m_drift = nullptr;
+    ThermalPage *m_thermal = nullptr;
     ReportPages *m_reportPages = nullptr;
     QWidget *m_card = nullptr;
     TargetCard *m_target = nullptr;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace palmer {
 
@@ -103,8 +104,14 @@ private:
         if (m_temperatures) {
             m_values = temperatures.empty() ? others : temperatures;
         } else {
+            if (deviations.empty() && !temperatures.empty()) // "X (µm)", "Y (µm)"
+                std::ranges::copy_if(others, std::back_inserter(deviations), [this](std::size_t c) {
+                    const SaidUnit said = m.body.columns[c].said();
+                    return said.unit && (said.unit->kind == UnitKind::length || said.unit->kind == UnitKind::angle);
+                });
             m_values = !deviations.empty() ? deviations : others;
-            if (m_values.size() > 1) {
+            m_heat = temperatures;
+            if (m_values.size() > 1 && deviations.empty()) {
                 m_question = {REPORT_TEXT("report", "Columns: several hold deviations; “%1” is read, the "
                                                     "others are a test of their own."),
                               {excerpt(m.body.columns[m_values.front()].heading)}};
@@ -113,21 +120,14 @@ private:
         }
         for (const std::size_t c : m_values)
             m.result.columns[c].role = m_temperatures ? ColumnRole::temperature : ColumnRole::deviation;
-        remarkUnread(temperatures);
-    }
-
-    void remarkUnread(const std::vector<std::size_t> &temperatures) {
-        if (m_temperatures || temperatures.empty())
-            return;
-        std::string names;
-        for (const std::size_t c : temperatures)
-            names += (names.empty() ? "" : ", ") + m.body.columns[c].heading;
-        m.remarks.note({}, REPORT_TEXT("report", "Columns that are not read: %1."), excerpt(names));
     }
 
     void takeChosen(std::vector<ImportColumn> chosen) {
         m_values.clear();
+        m_heat.clear();
         for (std::size_t c = 0; c < chosen.size(); ++c) {
+            if (!m_temperatures && chosen[c].role == ColumnRole::temperature)
+                m_heat.push_back(c);
             if (chosen[c].role == ColumnRole::time && !m_clock)
                 m_time = c;
             if (chosen[c].role == (m_temperatures ? ColumnRole::temperature : ColumnRole::deviation) ||
@@ -294,8 +294,97 @@ private:
                         : REPORT_TEXT("report", "No sensor is of the air: no gradient per hour."));
     }
 
+    /// The unit of a column of deviations; the first column settles it for those that say none.
+    const Unit *unitOfDeviations(std::size_t c, double most) {
+        const TableColumn &column = m.body.columns[c];
+        const SaidUnit said = column.said().isSaid() ? column.said() : m.notes.unit;
+        const Unit *stated = said.unit;
+        const bool known = stated && (stated->kind == UnitKind::length || stated->kind == UnitKind::angle);
+        if (c != m_values.front() && known)
+            return stated;
+        const bool rotary = m.choices.isChosen("motion") ? m.choices.chosen("motion") == "rotary"
+                                                         : known && stated->kind == UnitKind::angle;
+        const char *guess = rotary ? "arcsec" : most < 0.5 ? "mm" : "um";
+        return resolveUnit("unit", said, known ? stated : nullptr, *unitOf(guess),
+                           {REPORT_TEXT("report", "Unit of the deviations: nothing in the "
+                                                  "file says it; read as %1 after their size.")},
+                           m.choices, m.result.remarks);
+    }
+
+    std::vector<std::optional<double>> numbersOf(std::size_t c) {
+        std::vector<std::optional<double>> numbers;
+        for (const std::uint32_t row : m_rows) {
+            numbers.push_back(m.number(row, c));
+            if (numbers.back())
+                m.setRole(row, c, CellRole::positive);
+        }
+        return numbers;
+    }
+
+    /// "X" of "X (µm)" and of "Deviation X"; else the heading.
+    static std::string channelName(std::string_view heading) {
+        std::string name = withoutUnit(heading);
+        const std::size_t before = name.find_last_of(' ');
+        if (before != std::string::npos && name.size() == before + 2 && name.back() >= 'A' &&
+            name.back() <= 'Z')
+            return name.substr(before + 1);
+        return name;
+    }
+
+    /// Several channels, or temperatures beside one: all columns on the same times, gaps stay.
+    void readChannels() {
+        DriftMeasurement drift;
+        drift.times = m_times;
+        for (const std::size_t c : m_values) {
+            DriftChannel channel;
+            channel.name = channelName(m.body.columns[c].heading);
+            channel.values = numbersOf(c);
+            double most = 0;
+            for (const auto &value : channel.values)
+                most = std::max(most, std::abs(value.value_or(0)));
+            const Unit *unit = unitOfDeviations(c, most);
+            channel.quantity = unit->kind == UnitKind::angle ? ChannelQuantity::angularDeviation
+                                                             : ChannelQuantity::deviation;
+            for (auto &value : channel.values) {
+                if (value)
+                    value = unit->toBase(*value);
+            }
+            drift.channels.push_back(std::move(channel));
+        }
+        for (const std::size_t c : m_heat) {
+            const SaidUnit said = m.body.columns[c].said();
+            if (said.isSaid() && !(said.unit && said.unit->kind == UnitKind::temperature)) {
+                m.remarks.problem(
+                    "unread", REPORT_TEXT("report", "Temperatures in “%1” are not read, only those in °C."),
+                    excerpt(said.words()));
+                continue;
+            }
+            drift.temperatures.push_back({withoutUnit(m.body.columns[c].heading), {}, numbersOf(c)});
+        }
+        drift.axis.motion = drift.channels.front().quantity == ChannelQuantity::angularDeviation
+                                ? Motion::rotary
+                                : Motion::linear;
+        drift.axis.name =
+            m.choices
+                .resolve("axis", m.notes.axis.empty() ? drift.channels.front().name : m.notes.axis,
+                         Origin::recognised)
+                .value;
+        if (drift.channels.size() == 1) // the only one is that of the axis
+            drift.channels.front().name = drift.axis.name;
+        m.remarks.note(
+            {},
+            REPORT_TEXT("report", "Understood: a drift test; channels: %1; temperatures: %2; points: %3; "
+                                  "duration: %4."),
+            counted(drift.channels.size()), counted(drift.temperatures.size()), counted(drift.times.size()),
+            Number{drift.times.back() - drift.times.front(), Quantity::time});
+        Test test;
+        test.measurement = std::move(drift);
+        m.result.test = std::move(test);
+    }
+
     void readDrift() {
-        const TableColumn &column = m.body.columns[m_values.front()];
+        if (m_values.size() > 1 || !m_heat.empty())
+            return readChannels();
         DriftMeasurement drift;
         std::vector<double> values;
         std::size_t missing = 0;
@@ -316,16 +405,7 @@ private:
             m.remarks.problem({}, REPORT_TEXT("report", "Points without a number were left out: %1."),
                               counted(missing));
         const auto [low, high] = std::ranges::minmax(values);
-        const SaidUnit said = column.said().isSaid() ? column.said() : m.notes.unit;
-        const Unit *stated = said.unit;
-        const bool known = stated && (stated->kind == UnitKind::length || stated->kind == UnitKind::angle);
-        const bool rotary = m.choices.isChosen("motion") ? m.choices.chosen("motion") == "rotary"
-                                                         : known && stated->kind == UnitKind::angle;
-        const char *guess = rotary ? "arcsec" : std::max(std::abs(low), std::abs(high)) < 0.5 ? "mm" : "um";
-        const Unit *unit = resolveUnit("unit", said, known ? stated : nullptr, *unitOf(guess),
-                                       {REPORT_TEXT("report", "Unit of the deviations: nothing in the "
-                                                              "file says it; read as %1 after their size.")},
-                                       m.choices, m.result.remarks);
+        const Unit *unit = unitOfDeviations(m_values.front(), std::max(std::abs(low), std::abs(high)));
         for (const double value : values)
             drift.deviations.push_back(unit->toBase(value));
         drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
@@ -343,6 +423,7 @@ private:
     std::optional<std::size_t> m_clock;
     std::size_t m_time = 0;
     std::vector<std::size_t> m_values;
+    std::vector<std::size_t> m_heat; ///< columns of temperatures beside deviations
     std::optional<std::size_t> m_date;
     std::optional<std::size_t> m_names; ///< column of process variable names
     std::string m_series;

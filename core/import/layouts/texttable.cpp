@@ -178,9 +178,12 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
     }
     if (isApproached(body))
         return "positioning";
+    const bool positions = has(Meaning::run) || has(Meaning::direction);
+    // X and Y over time with temperatures beside them drift; they are no path.
+    if (hasTimes(body) && !positions && body.anyColumn([](const TableColumn &c) { return c.isTemperature(); }))
+        return seriesKindOf(body, origin);
     if (isCircular(body) || areAxesOnCircle(reading))
         return "circular";
-    const bool positions = has(Meaning::run) || has(Meaning::direction);
     // A place next to a measured value is a target, even with clock times.
     const bool placed = has(Meaning::place) && (!body.columnOf(ColumnKind::clock) || has(Meaning::actual));
     if (hasTimes(body) && !positions && !placed) {

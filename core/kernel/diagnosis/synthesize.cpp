@@ -170,4 +170,38 @@ PositioningMeasurement synthesizePositioning(const PositioningSynthesis &asked) 
     return measurement;
 }
 
+DriftMeasurement synthesizeDrift(const DriftSynthesis &asked) {
+    DriftMeasurement drift;
+    const auto rows = static_cast<std::size_t>(std::floor(asked.length / asked.step)) + 1;
+    DriftTemperature air{"air", {}, {}};
+    for (std::size_t i = 0; i < rows; ++i) {
+        drift.times.push_back(static_cast<double>(i) * asked.step);
+        air.values.emplace_back(referenceTemperature +
+                                asked.swing *
+                                    std::sin(2 * std::numbers::pi * drift.times.back() / asked.period));
+    }
+    SynthesizedNoise seeded = asked.noise;
+    for (const DriftChannelSynthesis &of : asked.channels) {
+        Noise noise(seeded);
+        ++seeded.seed; // independent for every channel
+        DriftChannel channel{of.name, ChannelQuantity::deviation, {}};
+        // Exact between temperatures that change linearly.
+        const double q = asked.step / of.tau;
+        const double kept = std::exp(-q);
+        const double w = (1 - kept) / q;
+        double y = *air.values.front();
+        for (std::size_t i = 0; i < rows; ++i) {
+            if (i > 0)
+                y = kept * y + (w - kept) * *air.values[i - 1] + (1 - w) * *air.values[i];
+            const double deviation = of.perDegree * (y - *air.values.front()) + of.slope * drift.times[i];
+            channel.values.emplace_back(noise.rounded(deviation + noise.next()));
+        }
+        drift.channels.push_back(std::move(channel));
+    }
+    drift.axis.name = asked.channels.empty() ? std::string() : asked.channels.front().name;
+    drift.temperatures.push_back(std::move(air));
+    drift.settled = true;
+    return drift;
+}
+
 } // namespace palmer

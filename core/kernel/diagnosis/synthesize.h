@@ -71,4 +71,25 @@ struct PositioningSynthesis {
 
 [[nodiscard]] PositioningMeasurement synthesizePositioning(const PositioningSynthesis &asked);
 
+/// A channel of a synthesized drift test: x = k·y + b·t with τ·dy/dt = θ − y.
+struct DriftChannelSynthesis {
+    std::string name = "X";
+    double perDegree = 0; ///< k, mm/°C
+    double tau = 2400;    ///< s
+    double slope = 0;     ///< b, mm/s
+};
+
+/// A synthesized drift test: the air swings about 20 °C, from the middle upwards; the machine was in balance
+/// at the beginning.
+struct DriftSynthesis {
+    std::vector<DriftChannelSynthesis> channels;
+    double length = 28'800; ///< s
+    double step = 60;       ///< s
+    double swing = 2;       ///< amplitude of the temperature, °C
+    double period = 43'200; ///< s
+    SynthesizedNoise noise;
+};
+
+[[nodiscard]] DriftMeasurement synthesizeDrift(const DriftSynthesis &asked);
+
 } // namespace palmer

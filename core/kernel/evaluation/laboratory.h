@@ -95,6 +95,19 @@ std::optional<Message> driftTestOfNoUse(const Case &test) {
                    {*drift}};
 }
 
+/// The drift test does not cover the duration of the test.
+template <class Case>
+std::optional<Message> driftTestTooShort(const Case &test) {
+    bool isUsed = false; // a number beside it wins
+    withUncertainty(test.test, [&](const auto &inputs) { isUsed = !inputs.environmentalVariation; });
+    if (!isUsed || !test.surroundings.variationIsLowerBound)
+        return std::nullopt;
+    return Message{REPORT_TEXT("report",
+                               "E_VE of the drift test “%1” is a lower bound: its record is shorter than the "
+                               "test, or has a gap of more than a tenth of it."),
+                   {*driftTestOf(test.test)}};
+}
+
 /// The certificate is one of an accredited laboratory.
 template <class Case>
 bool accredited(const Case &test) {
@@ -124,6 +137,7 @@ inline constexpr std::array checkTable{
     RequirementOf<Case>{"calibrationDue", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, unless<calibrationNotValid<Case>>, {}, {}, {"instruments.calibrationDue"}},
     RequirementOf<Case>{"dates", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, unless<datesContradict<Case>>, {}, {}, {"date"}},
     RequirementOf<Case>{"driftTest", Source::program, "", Grade::note, Subject::uncertainty, nullptr, unless<driftTestOfNoUse<Case>>, {}, {}, {"uncertainty.driftTest"}},
+    RequirementOf<Case>{"driftTest", Source::program, "", Grade::note, Subject::uncertainty, nullptr, unless<driftTestTooShort<Case>>, {}, {}, {"uncertainty.driftTest"}},
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::laboratoryAddress, Case>>, REPORT_TEXT("report", "address of the laboratory"), {}, {"report.laboratory.address"}},
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::number, Case>>, REPORT_TEXT("report", "number of the report"), {}, {"report.number"}},
     RequirementOf<Case>{"accredited", Source::laboratory, "", Grade::note, Subject::report, accredited<Case>, stating<inHead<&StatedHead::issueDate, Case>>, REPORT_TEXT("report", "date of issue"), {}, {"report.date"}},

@@ -225,6 +225,12 @@ HelpPage registerPage(const Language &language) {
          REPORT_TEXT("report",
                      "Several chosen tests of one axis are laid over one another, with the difference of two "
                      "on their common travel.")},
+        {REPORT_TEXT("report", "Type test"),
+         REPORT_TEXT(
+             "report",
+             "The newest comparable test of each machine of a type, with upper tolerance limits: what "
+             "most machines of the type stay below. The machines are those in the register, no random "
+             "sample.")},
         {REPORT_TEXT("report", "History report"),
          REPORT_TEXT("report",
                      "Prints what is to be watched first, the trends, the campaigns and all tests of a "
@@ -286,6 +292,34 @@ HelpPage comparisonPage(const Language &language) {
     return pageOf("comparison", REPORT_TEXT("report", "Comparison of two tests"), steps, language);
 }
 
+HelpPage thermalPage(const Language &language) {
+    const auto steps = std::to_array<HelpStep>({
+        {REPORT_TEXT("report", "Drift test"),
+         REPORT_TEXT(
+             "report",
+             "Several sensors at rest over hours, with the temperatures beside them: a table of times, "
+             "deviations and temperatures is read as one drift test. The channel of an axis has its name.")},
+        {REPORT_TEXT("report", "E_VE over the duration of a test"),
+         REPORT_TEXT(
+             "report",
+             "The largest range within any window as long as the test. Only a test whose duration is stated "
+             "takes it so; others take the range of the whole record. A record that is too short gives a "
+             "lower "
+             "bound, which is said.")},
+        {REPORT_TEXT("report", "Response to the temperature"),
+         REPORT_TEXT(
+             "report",
+             "How many µm a channel moves per °C, and how fast: x = a + b·t + k·y, τ·dy/dt = θ − y, with "
+             "intervals of 95 % for noise that may be correlated. Where the data cannot carry it, a sentence "
+             "says why. It is an interpretation, no result of the standard.")},
+        {REPORT_TEXT("report", "What the drift explains"),
+         REPORT_TEXT("report", "How much of U it is, and what half the duration, no drift, or a temperature "
+                               "held to ± 1, 2 or 5 °C "
+                               "would make of it at worst.")},
+    });
+    return pageOf("thermal", REPORT_TEXT("report", "Thermal behaviour"), steps, language);
+}
+
 HelpPage fieldsPage(const Language &language) {
     HelpPage page{QStringLiteral("fields"), language.text(REPORT_TEXT("report", "Fields")), {}};
     auto &blocks = page.content.blocks;
@@ -306,8 +340,8 @@ HelpPage fieldsPage(const Language &language) {
 } // namespace
 
 std::vector<HelpPage> composeHelp(const Language &language) {
-    std::vector<HelpPage> pages{workflowPage(language), registerPage(language), sheetPage(language),
-                                comparisonPage(language), fieldsPage(language)};
+    std::vector<HelpPage> pages{workflowPage(language),   registerPage(language), sheetPage(language),
+                                comparisonPage(language), thermalPage(language),  fieldsPage(language)};
     for (const Edition *edition : editions())
         pages.push_back(edition->circles ? circularPage(*edition, language)
                                          : positioningPage(*edition, language));

@@ -202,6 +202,11 @@ void addPurpose(ConditionRows &rows, const TestPart &part) {
     const Text purpose = purposeText(part.test.purpose);
     rows.addStated("purpose", joined({purpose.empty() ? QString() : part.write.text(purpose),
                                       role.empty() ? QString() : part.write.text(role)}));
+    rows.addStated(REPORT_TEXT("report", "Duration of the test"),
+                   part.test.duration
+                       ? part.write.language().number(certain(*part.test.duration), Quantity::number, -1) +
+                             QStringLiteral("\u00A0min")
+                       : QString());
     const DeclaredAccordance &declared = part.test.declaredAccordance;
     rows.addStated(REPORT_TEXT("report", "Declared by the laboratory"),
                    joined({joined({QString::fromStdString(declared.by), dateText(part.write, declared.date)}),

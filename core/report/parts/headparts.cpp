@@ -4,6 +4,7 @@
 
 #include "language/decimals.h"
 #include "report/parts/comparedtests.h"
+#include "report/parts/thermalparts.h"
 #include "report/words/wording.h"
 
 #include <algorithm>
@@ -273,6 +274,42 @@ TestHead comparisonHead(const TestPart &after, const TestPart &before) {
     LabelledRows right(write, {{}, rightLabels});
     right.add(REPORT_TEXT_FOR("report", "before", "of two tests"), named(before));
     right.add(REPORT_TEXT_FOR("report", "after", "of two tests"), named(after));
+    head.right = right.take();
+    return head;
+}
+
+TestHead thermalHead(const Writer &write, const EvaluatedDocument &evaluated, std::size_t test) {
+    const Document &document = *evaluated.document;
+    const Test &drift = *document.tests[test];
+    TestHead head = letterHead(write, document.report);
+    head.title = write.text(REPORT_TEXT("report", "Thermal behaviour"));
+    head.subtitle =
+        joined({testName(write, drift), QString::fromStdString(drift.title)}, QStringLiteral(" · "));
+    head.editionTitle = write.text(thermalNature());
+    LabelledRows left(write, {{}, leftLabels});
+    left.add(REPORT_TEXT("report", "Machine"), machineText(document.machine));
+    left.add(REPORT_TEXT("report", "Serial number"), document.machine.serialNumber);
+    left.add(REPORT_TEXT("report", "Date of test"), dateText(write, drift.date));
+    head.left = left.take();
+    LabelledRows right(write, {{}, rightLabels});
+    QStringList users;
+    for (const std::size_t user : testsTaking(document, drift.id))
+        users << joined(
+            {testName(write, *document.tests[user]), QString::fromStdString(document.tests[user]->title)});
+    right.add(REPORT_TEXT("report", "Used by"), users.join(u'\n'));
+    const auto &measurement = std::get<DriftMeasurement>(drift.measurement);
+    right.add(REPORT_TEXT("report", "Points"), write.language().count(measurement.times.size()));
+    if (measurement.settled)
+        right.add(REPORT_TEXT("report", "At the beginning"),
+                  write.text(REPORT_TEXT("report", "in balance with its temperatures, as stated")));
+    QStringList temperatures;
+    for (const DriftTemperature &one : measurement.temperatures)
+        temperatures << joined({QString::fromStdString(one.measures),
+                                one.resolution
+                                    ? write.say(REPORT_TEXT("report", "resolution %1"),
+                                                {Number{*one.resolution, Quantity::temperature, -1}})
+                                    : QString()});
+    right.add(REPORT_TEXT("report", "Temperatures"), temperatures.join(u'\n'), false);
     head.right = right.take();
     return head;
 }

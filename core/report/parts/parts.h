@@ -58,6 +58,9 @@ struct SheetWords {
 /// The head of the page that compares a test with another one.
 [[nodiscard]] TestHead comparisonHead(const TestPart &after, const TestPart &before);
 
+/// The head of the page of a drift test.
+[[nodiscard]] TestHead thermalHead(const Writer &write, const EvaluatedDocument &evaluated, std::size_t test);
+
 /// "16 of 18 rows met", and which are not.
 [[nodiscard]] VerdictStatement sheetStatement(const EvaluatedDocument &evaluated, const Writer &write);
 
@@ -288,6 +291,9 @@ void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
 /// Adds the instruments of all tests with their traceability.
 void addTraceability(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated);
+
+/// Adds a page per drift test with several channels or temperatures.
+void addThermalPages(std::vector<Block> &blocks, const EvaluatedDocument &evaluated, const Writer &write);
 
 /// Adds the drift tests of the file with their ranges.
 void addDriftTests(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated);

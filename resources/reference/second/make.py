@@ -512,6 +512,32 @@ def drift_tests():
         rows += [expected(change, **place, drift="change"), expected(t, 6, **place, drift="t"),
                  expected(parts["environmentalVariation"], **place, contribution="environmentalVariation")]
         rows += [expected(budget(axis, name, parts), **place, parameter=name, of="budget") for name in axis.results()]
+    # Several channels with gaps; of that of the axis the largest range within the duration of the test.
+    for number, minutes in ((6, 10), (7, 25)):
+        dice = random.Random(5000 + number)
+        count, channels = 50 + 10 * number, []
+        for name in ("Y", "X"):
+            x, values = 0.0, []
+            for i in range(count):
+                x += dice.gauss(0.02, 0.3)
+                values.append(None if i % 17 == 5 else reading(x / 1000, 5))
+            channels.append({"name": name, "quantity": "deviation", "values": values})
+        tests.append({"kind": "drift", "id": f"d{number}", "axis": {"name": "X", "motion": "linear"},
+                      "times": [float(60 * i) for i in range(count)], "channels": channels})
+        known = [(i, fraction(v.text)) for i, v in enumerate(channels[1]["values"]) if v is not None]
+        rows.append(expected(max(v for _, v in known) - min(v for _, v in known), test=len(tests), drift="range"))
+        span = max(max(v for i, v in known if start <= i <= start + minutes) -
+                   min(v for i, v in known if start <= i <= start + minutes) for start, _ in known)
+        test = made_axis(100 + number, ("ISO 230-2:2006", 0, 500, 6, 5, 5, {}))
+        test["uncertainty"]["driftTest"] = f"d{number}"
+        test["duration"] = float(minutes)
+        del test["uncertainty"]["environmentalVariation"]
+        tests.append(test)
+        axis = Axis(test)
+        parts = contributions(test, span)
+        place = {"test": len(tests)}
+        rows.append(expected(parts["environmentalVariation"], **place, contribution="environmentalVariation"))
+        rows += [expected(budget(axis, name, parts), **place, parameter=name, of="budget") for name in axis.results()]
     return {**named("Drift tests", "Essais de dérive"), "quantity": "deviation",
             "tests": tests, "expected": rows}
 

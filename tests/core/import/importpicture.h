@@ -3,6 +3,7 @@
 #pragma once
 
 #include "import/importmeasurement.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/language.h"
 
 #include <QString>
@@ -56,14 +57,20 @@ inline QString picture(const Imported &imported) {
                              .arg(values.join(u' '));
             }
         } else if (const auto *d = std::get_if<DriftMeasurement>(&test.measurement)) {
-            QStringList values;
-            for (std::size_t i = 0; i < d->times.size(); ++i)
-                values << number(d->times[i]) + u':' +
-                              number(d->axis.motion == Motion::rotary ? d->deviations[i]
-                                                                      : d->deviations[i] * 1000,
-                                     7);
-            lines
-                << QStringLiteral("drift %1 %2").arg(QString::fromStdString(d->axis.name), values.join(u' '));
+            const auto add = [&](const char *word, const std::string &name, double scale,
+                                 const auto &series) {
+                QStringList values;
+                for (std::size_t i = 0; i < d->times.size(); ++i)
+                    values << number(d->times[i]) + u':' +
+                                  (series[i] ? number(*series[i] * scale, 7) : QStringLiteral("-"));
+                lines << QStringLiteral("%1 %2 %3")
+                             .arg(QLatin1StringView(word), QString::fromStdString(name), values.join(u' '));
+            };
+            for (const DriftChannel &channel : channelsOf(*d))
+                add(d->channels.empty() ? "drift" : "channel", channel.name,
+                    channel.quantity == ChannelQuantity::angularDeviation ? 1 : 1000, channel.values);
+            for (const DriftTemperature &temperature : d->temperatures)
+                add("temperature", temperature.measures, 1, temperature.values);
         }
     }
     for (const Sensor &sensor : imported.sensors) {

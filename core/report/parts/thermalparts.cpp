@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/thermalparts.h"
+
+#include "figures/curvefield.h"
+#include "figures/ticks.h"
+#include "kernel/measurement/testfacts.h"
+#include "report/parts/parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace palmer {
+
+namespace {
+
+constexpr double minute = 60;
+constexpr double hour = 3600;
+constexpr double longRecord = 2 * hour; ///< from which on times are in hours
+constexpr double mostTimeTicks = 8;
+constexpr double mostValueTicks = 5;
+constexpr double percent = 100;
+constexpr std::array channelRoles{LineRole::machine, LineRole::instrument, LineRole::air, LineRole::measuredDown};
+
+Quantity quantityOf(const DriftChannel &channel) {
+    return channel.quantity == ChannelQuantity::deviation ? Quantity::deviation : Quantity::angularDeviation;
+}
+
+/// Decimals that show two digits of a half width.
+int decimalsFor(double half) {
+    constexpr int most = 4;
+    return half > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(half))), 0, most) : 1;
+}
+
+struct TimeScale {
+    double seconds = 1;
+    QString unit;
+};
+TimeScale timeScale(const DriftMeasurement &drift) {
+    const double lasts = drift.times.empty() ? 0 : drift.times.back() - drift.times.front();
+    return lasts >= longRecord ? TimeScale{hour, QStringLiteral("h")}
+                               : TimeScale{minute, QStringLiteral("min")};
+}
+
+/// Ranges and ticks of both axes from the lines.
+LineFigure finished(LineFigure figure, const Language &language, bool fromZero = false) {
+    Bounds x;
+    Bounds y;
+    for (const FigureLine &line : figure.lines) {
+        for (const QPointF &point : line.points) {
+            x.include(point.x());
+            y.include(point.y());
+        }
+    }
+    const Bounds values = y.widened(valueMargin, 0.2);
+    if (!(x.lowest < x.highest))
+        x = {0, 1};
+    setRange(figure.x, x.lowest, x.highest, mostTimeTicks, TickSteps::values, language);
+    setRange(figure.y, fromZero ? 0 : values.lowest, values.highest, mostValueTicks, TickSteps::values,
+             language);
+    return figure;
+}
+
+LineFigure overTime(const DriftMeasurement &drift, const Text &title, const Text &quantity,
+                    const QString &unit, const Language &language) {
+    LineFigure figure;
+    figure.title = language.text(title);
+    figure.x.quantity = language.text(REPORT_TEXT("report", "Time"));
+    figure.x.unit = timeScale(drift).unit;
+    figure.y.quantity = language.text(quantity);
+    figure.y.unit = unit;
+    return figure;
+}
+
+std::vector<QPointF> pointsOf(const std::vector<double> &times,
+                              const std::vector<std::optional<double>> &values, double perSecond,
+                              double scale) {
+    std::vector<QPointF> points;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (values[i])
+            points.emplace_back(times[i] * perSecond, *values[i] * scale);
+    }
+    return points;
+}
+
+/// "42 … 48", with an open end as "> 42" or "< 48".
+QString intervalText(const Range &range, double scale, const Language &language) {
+    const auto number = [&](double value) {
+        const double half =
+            range.low && range.high ? (*range.high - *range.low) / 2 * scale : value * scale / 10;
+        return language.number(value * scale, Quantity::number, decimalsFor(half));
+    };
+    if (range.low && range.high)
+        return number(*range.low) + QStringLiteral(" … ") + number(*range.high);
+    if (range.low)
+        return QStringLiteral(">\u00A0") + number(*range.low);
+    return range.high ? QStringLiteral("<\u00A0") + number(*range.high) : QString();
+}
+
+QString valueText(double value, const Range &range, double scale, const Language &language) {
+    const double half =
+        range.low && range.high ? (*range.high - *range.low) / 2 * scale : std::abs(value * scale) / 10;
+    return language.number(value * scale, Quantity::number, decimalsFor(half));
+}
+
+QString durationText(std::optional<double> seconds, const Language &language) {
+    if (!seconds)
+        return {};
+    return *seconds >= longRecord
+               ? language.number(*seconds / hour, Quantity::number, -1) + QStringLiteral("\u00A0h")
+               : language.number(*seconds / minute, Quantity::number, -1) + QStringLiteral("\u00A0min");
+}
+
+QString caseName(const DriftCase &one, const Language &language) {
+    const std::string lasts = durationText(one.lasts, language).toStdString();
+    switch (one.kind) {
+    case DriftCase::asTested:
+        return lasts.empty()
+                   ? language.text(REPORT_TEXT("report", "as recorded, duration of the test not stated"))
+                   : language.sentence({REPORT_TEXT("report", "test of %1"), {lasts}, {}});
+    case DriftCase::halved:
+        return language.sentence({REPORT_TEXT("report", "half the duration, %1"), {lasts}, {}});
+    case DriftCase::none:
+        return language.text(REPORT_TEXT("report", "without drift"));
+    case DriftCase::wholeRecord:
+        return language.sentence({REPORT_TEXT("report", "whole record, %1"), {lasts}, {}});
+    case DriftCase::held:
+        break;
+    }
+    return language.sentence({REPORT_TEXT("report", "temperature held to ± %1, at worst"),
+                              {Number{one.hold, Quantity::temperature, 0}},
+                              {}});
+}
+
+} // namespace
+
+Text noResponseText(ResponseState state) {
+    return inOrder(state, {Text(), REPORT_TEXT("report", "steps of time differ: no response"),
+                           REPORT_TEXT("report", "gap in the temperature: no response"),
+                           REPORT_TEXT("report", "too few values: no response"),
+                           REPORT_TEXT("report", "no response proven"),
+                           REPORT_TEXT("report", "not to be told from a straight drift"),
+                           REPORT_TEXT("report", "temperature too noisy")});
+}
+
+Text thermalNature() {
+    return REPORT_TEXT("report",
+                       "Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error, "
+                       "the largest range within a duration T.");
+}
+
+bool hasThermalPage(const Test &test) {
+    const auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
+    return drift && (!drift->channels.empty() || !drift->temperatures.empty());
+}
+
+LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<ThermalChannel> &channels,
+                         std::optional<std::size_t> shown, const Language &language) {
+    const Quantity quantity = channels.empty() ? Quantity::deviation : quantityOf(channels.front().channel);
+    LineFigure figure =
+        overTime(drift, REPORT_TEXT("report", "Drift"), REPORT_TEXT("report", "Deviation at rest"),
+                 language.unit(quantity), language);
+    const double perSecond = 1 / timeScale(drift).seconds;
+    const double scale = unitScale(quantity, language.units());
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const QString name = QString::fromStdString(channels[i].channel.name);
+        figure.lines.push_back({channelRoles.at(i % channelRoles.size()), name, {},
+                                pointsOf(drift.times, channels[i].channel.values, perSecond, scale)});
+    }
+    if (shown && *shown < channels.size() && channels[*shown].best) {
+        const ThermalResponse &response = channels[*shown].responses[*channels[*shown].best];
+        std::vector<QPointF> points;
+        for (std::size_t i = 0; i < response.times.size(); ++i)
+            points.emplace_back(response.times[i] * perSecond, response.fitted[i] * scale);
+        figure.lines.push_back({LineRole::predictedDown,
+                                {},
+                                language.sentence({REPORT_TEXT("report", "response of %1 to %2"),
+                                                   {channels[*shown].channel.name,
+                                                    drift.temperatures[*channels[*shown].best].measures},
+                                                   {}}),
+                                std::move(points)});
+    }
+    return finished(std::move(figure), language);
+}
+
+LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &language) {
+    LineFigure figure = overTime(drift, REPORT_TEXT("report", "Temperatures"),
+                                 REPORT_TEXT("report", "Temperature"), QStringLiteral("°C"), language);
+    for (std::size_t i = 0; i < drift.temperatures.size(); ++i) {
+        const QString name = QString::fromStdString(drift.temperatures[i].measures);
+        figure.lines.push_back(
+            {channelRoles.at(i % channelRoles.size()), name, {},
+             pointsOf(drift.times, drift.temperatures[i].values, 1 / timeScale(drift).seconds, 1)});
+    }
+    return finished(std::move(figure), language);
+}
+
+LineFigure variationFigure(const DriftMeasurement &drift, const Language &language) {
+    constexpr int steps = 60;
+    const std::vector<DriftChannel> channels = channelsOf(drift);
+    const Quantity quantity = channels.empty() ? Quantity::deviation : quantityOf(channels.front());
+    LineFigure figure =
+        overTime(drift, REPORT_TEXT("report", "Variation over the duration"),
+                 REPORT_TEXT("report", "Environmental variation E_VE"), language.unit(quantity), language);
+    figure.x.quantity = language.text(REPORT_TEXT("report", "Duration of the window T"));
+    const double lasts = drift.times.empty() ? 0 : drift.times.back() - drift.times.front();
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const QString name = QString::fromStdString(channels[i].name);
+        FigureLine line{channelRoles.at(i % channelRoles.size()), name, {}, {}};
+        for (int step = 1; step <= steps; ++step) {
+            const double duration = lasts * step / steps;
+            if (const auto found = variationOf(drift.times, channels[i].values, duration))
+                line.points.emplace_back(duration / timeScale(drift).seconds,
+                                         found->value * unitScale(quantity, language.units()));
+        }
+        figure.lines.push_back(std::move(line));
+    }
+    return finished(std::move(figure), language, true);
+}
+
+Table responseTable(const DriftMeasurement &drift, const std::vector<ThermalChannel> &channels,
+                    const Language &language) {
+    constexpr double number = 20; // mm
+    constexpr double interval = 28;
+    const Writer write(language);
+    const Quantity quantity = channels.empty() ? Quantity::deviation : quantityOf(channels.front().channel);
+    const double scale = unitScale(quantity, language.units());
+    const QString unit = language.unit(quantity);
+    Table table;
+    table.columns = {
+        write.column(REPORT_TEXT_FOR("report", "Channel", "of a drift test"), 16),
+        write.flexible(REPORT_TEXT("report", "Temperature"), 30),
+        columnOf(QStringLiteral("k"), number, Alignment::decimal, unit + QStringLiteral("/°C")),
+        write.column(REPORT_TEXT("report", "interval, 95 %"), interval),
+        columnOf(QStringLiteral("τ"), number, Alignment::decimal, QStringLiteral("min")),
+        write.column(REPORT_TEXT("report", "interval, 95 %"), interval),
+        columnOf(QStringLiteral("b"), number - 3, Alignment::decimal, unit + QStringLiteral("/h")),
+        columnOf(QStringLiteral("s"), number - 4, Alignment::decimal, unit)};
+    for (const ThermalChannel &one : channels) {
+        const QString name = QString::fromStdString(one.channel.name);
+        if (!one.best) {
+            QStringList why;
+            for (std::size_t i = 0; i < one.responses.size(); ++i)
+                why << QString::fromStdString(drift.temperatures[i].measures) +
+                           language.semicolon().replace(u';', u':') +
+                           language.text(noResponseText(one.responses[i].state));
+            Cell words(why.join(language.semicolon()));
+            words.columns = table.columns.size() - 1;
+            std::vector<Cell> row{boldCell(name), std::move(words)};
+            row.resize(table.columns.size(), blankCell());
+            table.rows.push_back(std::move(row));
+            continue;
+        }
+        const ThermalResponse &response = one.responses[*one.best];
+        table.rows.push_back({boldCell(name), QString::fromStdString(drift.temperatures[*one.best].measures),
+                              boldCell(valueText(response.k, response.kRange, scale, language)),
+                              intervalText(response.kRange, scale, language),
+                              boldCell(valueText(response.tau, response.tauRange, 1 / minute, language)),
+                              intervalText(response.tauRange, 1 / minute, language),
+                              valueText(response.slope, response.slopeRange, scale * hour, language),
+                              language.number(response.residual * scale, Quantity::number, 2)});
+    }
+    return table;
+}
+
+Table driftCaseTable(const DriftCases &cases, bool angular, const Language &language) {
+    constexpr double number = 20; // mm
+    const Writer write(language);
+    const Quantity quantity = angular ? Quantity::angularDeviation : Quantity::deviation;
+    const QString unit = language.unit(quantity);
+    Table table;
+    table.columns = {
+        write.flexible(REPORT_TEXT_FOR("report", "Case", "of drift"), 60),
+        columnOf(Phrase({{QStringLiteral("E")}, {QStringLiteral("VE"), true}}), number, Alignment::decimal,
+                 unit),
+        columnOf(write.say(REPORT_TEXT("report", "Share of U²(%1)"),
+                           {cases.parameters.empty() ? std::string() : cases.parameters.front()}),
+                 24, Alignment::decimal, QStringLiteral("%"))};
+    for (const std::string &parameter : cases.parameters)
+        table.columns.push_back(columnOf(QStringLiteral("U(%1)").arg(QString::fromStdString(parameter)),
+                                         number, Alignment::decimal, unit));
+    table.columns.push_back(columnOf(QString(), 26));
+    double largest = 0;
+    for (const DriftCase &one : cases.cases) {
+        if (one.kind != DriftCase::held && !one.expanded.empty())
+            largest = std::max(largest, one.expanded.front().value_or(0));
+    }
+    for (const DriftCase &one : cases.cases) {
+        const QString most = one.kind == DriftCase::held ? QStringLiteral("≤\u00A0") : QString();
+        const auto shown = [&](std::optional<double> value) {
+            return value ? most + language.number(*value, quantity, 1) : QString();
+        };
+        Cell bar = blankCell();
+        if (const double size = one.expanded.front().value_or(0); largest > 0 && size <= largest) {
+            bar.blank = false;
+            bar.bar = size / largest;
+            bar.hollow = one.kind != DriftCase::asTested;
+        }
+        std::vector<Cell> row{caseName(one, language), shown(one.variation),
+                              one.share ? language.number(*one.share * percent, Quantity::number, 0)
+                                        : QString()};
+        for (const std::optional<double> &expanded : one.expanded)
+            row.emplace_back(shown(expanded));
+        row.push_back(std::move(bar));
+        if (one.kind == DriftCase::asTested) {
+            for (Cell &cell : row)
+                cell.bold = true;
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+QStringList thermalNotes(const DriftMeasurement &drift, const std::vector<ThermalChannel> &channels,
+                         const Language &language) {
+    QStringList notes;
+    if (std::ranges::none_of(channels, [](const ThermalChannel &one) { return one.best.has_value(); }))
+        return notes;
+    notes << language.text(
+        REPORT_TEXT("report", "x = a + b·t + k·y; τ·dy/dt = θ − y. k and b by least squares, τ by a "
+                              "search; intervals of 95 % for noise that may be correlated. Of several "
+                              "temperatures the one that explains most."));
+    for (const ThermalChannel &one : channels) {
+        if (!one.best)
+            continue;
+        const std::vector<double> temperatures = withGaps(drift.temperatures[*one.best].values);
+        if (const auto end = one.responses[*one.best].warmUp(temperatures))
+            notes << language.sentence({REPORT_TEXT("report", "%1 was warm after %2."),
+                                        {one.channel.name, durationText(*end, language).toStdString()},
+                                        {}});
+    }
+    return notes;
+}
+
+std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t test,
+                                 const Language &language) {
+    const Writer write(language);
+    const auto &drift = std::get<DriftMeasurement>(evaluated.document->tests[test]->measurement);
+    const std::vector<ThermalChannel> channels = thermalChannels(drift);
+    std::vector<Block> blocks;
+    const auto named = std::ranges::find(channels, drift.axis.name,
+                                         [](const ThermalChannel &one) { return one.channel.name; });
+    const auto shown = static_cast<std::size_t>(named == channels.end() ? 0 : named - channels.begin());
+    const auto addFigure = [&](LineFigure figure, double height) {
+        addHeading(blocks, figure.title);
+        blocks.emplace_back(FigureBlock{std::move(figure), textWidth, height});
+    };
+    constexpr double driftHeight = 62; // mm
+    constexpr double temperatureHeight = 40;
+    constexpr double half = 83;
+    addFigure(channelFigure(drift, channels, shown, language), driftHeight);
+    if (!drift.temperatures.empty())
+        addFigure(temperatureFigure(drift, language), temperatureHeight);
+    KeyValues ranges;
+    for (const ThermalChannel &one : channels) {
+        ranges.rows.push_back(
+            {write.say(REPORT_TEXT("report", "Range of %1"), {one.channel.name}),
+             one.whole ? write.quantity(one.whole->value, quantityOf(one.channel), 1) : QString()});
+    }
+    ranges.labelWidth = 50;
+    LineFigure variation = variationFigure(drift, language);
+    const Heading heading{2, variation.title};
+    blocks.emplace_back(
+        SideBySide{{heading, FigureBlock{std::move(variation), half, driftHeight}},
+                   {Heading{2, write.text(REPORT_TEXT("report", "Ranges of the record"))}, ranges}});
+    if (!drift.temperatures.empty()) {
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Response to the temperature")));
+        blocks.emplace_back(responseTable(drift, channels, language));
+    }
+    for (const std::size_t user : testsTaking(*evaluated.document, evaluated.document->tests[test]->id)) {
+        const DriftCases cases = driftCases(evaluated, user);
+        if (cases.cases.empty())
+            continue;
+        const Test &taking = *evaluated.document->tests[user];
+        addHeading(blocks, write.text(REPORT_TEXT("report", "What the drift explains")),
+                   joined({testName(write, taking), QString::fromStdString(taking.title)}));
+        blocks.emplace_back(driftCaseTable(cases, motionOf(taking) == Motion::rotary, language));
+    }
+    if (const QStringList notes = thermalNotes(drift, channels, language); !notes.isEmpty())
+        blocks.emplace_back(Paragraph{notes.join(u' '), TextSize::small});
+    return blocks;
+}
+
+void addThermalPages(std::vector<Block> &blocks, const EvaluatedDocument &evaluated, const Writer &write) {
+    const Document &document = *evaluated.document;
+    bool any = false;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (!hasThermalPage(*document.tests[i]))
+            continue;
+        any = true;
+        TestHead head = thermalHead(write, evaluated, i);
+        blocks.emplace_back(PageBreak{});
+        blocks.emplace_back(
+            RunningHead{head.laboratory, joined({head.title, head.subtitle}, QStringLiteral(" · "))});
+        blocks.emplace_back(std::move(head));
+        std::ranges::move(thermalBlocks(evaluated, i, write.language()), std::back_inserter(blocks));
+    }
+    if (any)
+        blocks.emplace_back(RunningHead{QString::fromStdString(document.report.laboratory.name),
+                                        reportTitle(write, document.report)});
+}
+
+} // namespace palmer

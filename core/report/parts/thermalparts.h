@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/thermal.h"
+#include "figures/figure.h"
+#include "language/language.h"
+#include "report/blocks/report.h"
+
+namespace palmer {
+
+/// Why the data of a channel show no response to a temperature; empty if they do.
+[[nodiscard]] Text noResponseText(ResponseState state);
+
+/// States that all of it is an interpretation.
+[[nodiscard]] Text thermalNature();
+
+/// True if a drift test has a page of its own: several channels, or temperatures.
+[[nodiscard]] bool hasThermalPage(const Test &test);
+
+/// The channels of a drift test over its time, the temperatures, and E_VE over the duration of a window. With
+/// the response of the channel `shown` to its best temperature, if it has one.
+[[nodiscard]] LineFigure channelFigure(const DriftMeasurement &drift,
+                                       const std::vector<ThermalChannel> &channels,
+                                       std::optional<std::size_t> shown, const Language &language);
+[[nodiscard]] LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &language);
+[[nodiscard]] LineFigure variationFigure(const DriftMeasurement &drift, const Language &language);
+
+/// Channel, temperature, k, τ, b, residual with intervals of 95 %, a row per channel; a sentence where the
+/// data carry no response.
+[[nodiscard]] Table responseTable(const DriftMeasurement &drift, const std::vector<ThermalChannel> &channels,
+                                  const Language &language);
+
+/// What the drift explains of U, and what shorter tests or steadier temperatures would bring.
+[[nodiscard]] Table driftCaseTable(const DriftCases &cases, bool angular, const Language &language);
+
+/// Sentences below both tables: the model, warming up.
+[[nodiscard]] QStringList thermalNotes(const DriftMeasurement &drift,
+                                       const std::vector<ThermalChannel> &channels, const Language &language);
+
+/// All of this of one drift test without its head.
+[[nodiscard]] std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t test,
+                                               const Language &language);
+
+} // namespace palmer

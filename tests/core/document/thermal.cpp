@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "document/thermal.h"
+
+#include "document/edits.h"
+#include "document/readdocument.h"
+#include "document/writedocument.h"
+#include "kernel/diagnosis/synthesize.h"
+#include "kernel/measurement/testfacts.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace palmer;
+
+namespace {
+
+/// A drift of two channels over eight hours and a positioning test of X that takes it.
+Document withDrift(std::optional<double> minutes) {
+    DriftSynthesis asked;
+    asked.channels = {{"X", 0.0033, 45 * 60.0, 0}, {"Y", -0.0019, 64 * 60.0, 0}};
+    asked.noise.deviation = 0.00005;
+    Test drift;
+    drift.id = "d";
+    drift.measurement = synthesizeDrift(asked);
+    PositioningSynthesis axis;
+    for (int i = 0; i < 6; ++i)
+        axis.targets.push_back(100.0 * i);
+    axis.noise.deviation = 0.0005;
+    Test test;
+    test.id = "x";
+    test.edition = "ISO 230-2:2006";
+    PositioningMeasurement measured = synthesizePositioning(axis);
+    measured.uncertainty.method = UncertaintyMethod::budget;
+    measured.uncertainty.device.fixed = 0;
+    measured.uncertainty.device.perMetre = 1;
+    measured.uncertainty.misalignmentRange = 0.5;
+    measured.uncertainty.temperatureRange = {1, 0};
+    measured.uncertainty.expansionRange = {2, 0};
+    measured.conditions.common.expansion = {11.5, 0};
+    measured.conditions.common.sensors = {{SensorMeasures::machine, {}, 20.5, 20.5, {}}};
+    measured.uncertainty.driftTest = "d";
+    test.duration = minutes;
+    test.measurement = std::move(measured);
+    Document document;
+    document.tests = {std::make_shared<const Test>(std::move(drift)),
+                      std::make_shared<const Test>(std::move(test))};
+    return document;
+}
+
+const Test &positioning(const Document &document) {
+    return *document.tests[1];
+}
+
+} // namespace
+
+class ThermalDocumentTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theDurationLimitsTheWindow() {
+        const Document document = withDrift(40);
+        const auto found = driftVariation(document, "d", positioning(document));
+        const auto &drift = std::get<DriftMeasurement>(document.tests[0]->measurement);
+        double largest = 0; // a double loop over the channel of the axis
+        for (std::size_t i = 0; i < drift.times.size(); ++i) {
+            for (std::size_t j = i; j < drift.times.size() && drift.times[j] <= drift.times[i] + 2400; ++j)
+                largest =
+                    std::max(largest, std::abs(*drift.channels[0].values[j] - *drift.channels[0].values[i]));
+        }
+        QCOMPARE(found->value, largest);
+        QVERIFY(!found->isLowerBound);
+        const Document endless = withDrift({});
+        const auto whole = driftVariation(endless, "d", positioning(endless));
+        QCOMPARE(whole->value, *rangeAtRest(*endless.tests[0]));
+        QVERIFY(whole->value > 2 * found->value);
+    }
+
+    void aRecordShorterThanTheTestIsSaid() {
+        const Document document = withDrift(600);
+        QVERIFY(driftVariation(document, "d", positioning(document))->isLowerBound);
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+        QVERIFY(std::ranges::any_of(evaluated.tests[1]->findings, [](const Finding &finding) {
+            return std::string_view(finding.message.text.source).find("lower bound") !=
+                   std::string_view::npos;
+        }));
+    }
+
+    void onlyTheChannelOfTheAxisCounts() {
+        Document document = withDrift(40);
+        editMeasurement<DriftMeasurement>(document, 0,
+                                          [](DriftMeasurement &drift) { drift.channels[0].name = "Z"; });
+        QVERIFY(!driftVariation(document, "d", positioning(document)));
+    }
+
+    void theResponseIsTheOneItWasMadeFrom() {
+        const Document document = withDrift(40);
+        const auto channels = thermalChannels(std::get<DriftMeasurement>(document.tests[0]->measurement));
+        QCOMPARE(channels.size(), std::size_t(2));
+        QVERIFY(channels[0].best && channels[1].best);
+        const ThermalResponse &x = channels[0].responses[0];
+        QVERIFY(std::abs(x.k - 0.0033) < 0.0002);
+        QVERIFY(std::abs(x.tau - 2700) < 300);
+    }
+
+    void steadierAirAndShorterTestsCostLess() {
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(withDrift(40)));
+        const DriftCases cases = driftCases(evaluated, 1);
+        QCOMPARE(cases.parameters, (std::vector<std::string>{"A", "R"}));
+        QCOMPARE(cases.cases.size(), std::size_t(7));
+        const auto found = std::ranges::find(evaluated.tests[1]->parameters, "A",
+                                             [](const Parameter &p) { return parameterId(p); });
+        QCOMPARE(*cases.cases[0].expanded[0], *found->expandedUncertainty);
+        QVERIFY(*cases.cases[1].expanded[0] < *cases.cases[0].expanded[0]);
+        QVERIFY(*cases.cases[2].expanded[0] < *cases.cases[1].expanded[0]);
+        QCOMPARE(*cases.cases[2].share, 0.0);
+        QVERIFY(cases.cases[4].variation < cases.cases[5].variation);
+    }
+
+    void isReadAsItWasWritten() {
+        const Document document = withDrift(40);
+        QVERIFY(readDocument(writeDocument(document)) == document);
+        QVERIFY(writeDocument(document).contains("\"version\": 3"));
+        QVERIFY(!writeDocument(document).contains("\"deviations\": []"));
+    }
+};
+
+QTEST_GUILESS_MAIN(ThermalDocumentTest)
+#include "thermal.moc"
