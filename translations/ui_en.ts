@@ -607,4 +607,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>palmer::ui::ConditionsPage</name>
+    <message numerus="yes">
+        <source>%n missing</source>
+        <translation>
+            <numerusform>%n missing</numerusform>
+            <numerusform>%n missing</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -1263,6 +1263,13 @@
         <source>Fills what is open as for the last test of this machine, in this file or in the register; what is measured on the day stays open</source>
         <translation>Remplit ce qui manque comme pour le dernier essai de cette machine, dans ce fichier ou dans le registre ; ce qui se mesure le jour de l’essai reste à indiquer</translation>
     </message>
+    <message numerus="yes">
+        <source>%n missing</source>
+        <translation>
+            <numerusform>%n manque</numerusform>
+            <numerusform>%n manquent</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::CurveComparison</name>
@@ -1870,6 +1877,10 @@
     <message>
         <source>&amp;Today</source>
         <translation>&amp;Aujourd’hui</translation>
+    </message>
+    <message>
+        <source>Temperature · %1</source>
+        <translation>Température · %1</translation>
     </message>
 </context>
 <context>

@@ -426,6 +426,11 @@ bool ConditionsPage::focusField(const QString &id) {
     return true;
 }
 
+/// Short, beside what only practice asks for and the buttons.
+QString ConditionsPage::missingText(int count) const {
+    return tr("%n missing", nullptr, count);
+}
+
 void ConditionsPage::refreshOthers() {
     m_like->setText(tr("Like the last test"));
     m_like->setToolTip(tr("Fills what is open as for the last test of this machine, in this file or in the register; "

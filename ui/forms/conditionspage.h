@@ -33,6 +33,7 @@ signals:
 protected:
     void prepare() override;
     void refreshOthers() override;
+    [[nodiscard]] QString missingText(int count) const override;
     void showEvent(QShowEvent *event) override;
 
 private:

@@ -703,7 +703,9 @@ std::vector<Form::Found> Form::found() {
     for (const Entry &entry : m_entries) {
         const QString text = entry.field->text().simplified();
         const QString unit = entry.quantity && !text.isEmpty() ? u' ' + m_language.unit(*entry.quantity) : QString();
-        result.push_back({entry.field->edit()->accessibleName(), text + unit, entry.field->isRequired(), entry.field});
+        const QString name = entry.field->edit()->accessibleName();
+        const bool isOfSensor = std::string_view(entry.key) == "sensors";
+        result.push_back({isOfSensor ? tr("Temperature · %1").arg(name) : name, text + unit, entry.field->isRequired(), entry.field});
     }
     return result;
 }

@@ -14,7 +14,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int rowHeight = 24;
+constexpr int rowHeight = 20; // lets eleven targets be in sight at 768
 constexpr int symbolWidth = 36;
 constexpr int statisticsColumnWidth = 64;
 constexpr int leastStatisticsColumn = 52;

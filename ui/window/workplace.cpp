@@ -75,7 +75,7 @@ constexpr int wideShare = 42;        ///< right side of a wide window, per cent
 // Heights of the workplace; menu, toolbar and status bar take 99 px of the window's height.
 constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
-constexpr int noKeysBelow = 740 - 99;
+constexpr int noKeysBelow = 760 - 99;
 /// Below this height, a page with six table rows and the smallest figure do not fit in a column.
 constexpr int turnsBelow = 690 - 99;
 constexpr int lowTabsBelow = 400;
@@ -608,8 +608,7 @@ std::vector<SearchEntry> Workplace::searchEntries() {
                            [this, page, id = fieldOf(finding)] {
                                showPage(page);
                                m_selection.setField(id);
-                           },
-                           lackOf(finding) == Lack::required});
+                           }});
     }
     return entries;
 }
