@@ -268,20 +268,17 @@ BarFigure typeFigure(const TypeTest &test, const Language &language) {
     const QString symbol = plainSymbolOf(test.parameter);
     figure.title = language.sentence(
         {REPORT_TEXT("report", "%1 of the machines of the type"), {symbol.toStdString()}, {}});
-    figure.shareTitle = QStringLiteral("U");
     figure.x.symbol = symbol;
     figure.x.unit = language.unit(quantity);
     double largest = 0;
-    const auto add = [&](const QString &id, const QString &name, double value, const QString &shown,
-                         const QString &expanded, bool first) {
-        figure.bars.push_back({id, name, {}, value * scale, shown, expanded, first});
+    const auto add = [&](const QString &id, const QString &name, double value, const QString &shown, bool first) {
+        figure.bars.push_back({id, name, {}, value * scale, shown, {}, first});
         largest = std::max(largest, value * scale);
     };
     for (std::size_t i = 0; i < test.members.size(); ++i) {
         const TypeMember &member = test.members[i];
         const ShownValue shown = shownResult(member.result, test.angular, language);
-        add(QStringLiteral("machine%1").arg(i + 1), member.machine.title(), *member.result.value, shown.value,
-            shown.uncertainty.isEmpty() ? QStringLiteral("–") : shown.uncertainty, false);
+        add(QStringLiteral("machine%1").arg(i + 1), member.machine.title(), *member.result.value, shown.text(), false);
     }
     if (test.statistics) {
         for (const auto &[distribution, name] :
@@ -290,7 +287,7 @@ BarFigure typeFigure(const TypeTest &test, const Language &language) {
             if (const auto limit = test.statistics->limit(distribution))
                 add(distribution == TypeDistribution::normal ? QStringLiteral("normal")
                                                              : QStringLiteral("logNormal"),
-                    language.text(name), *limit, language.number(*limit, quantity, 1), QString(),
+                    language.text(name), *limit, language.number(*limit, quantity, 1),
                     distribution == test.distribution);
         }
     }

@@ -43,7 +43,8 @@ public:
         p.drawLine(m_frame.plot().topLeft(), m_frame.plot().bottomLeft());
         m_frame.drawX(axis);
         m_frame.drawXTitle(axisTitle(
-            m_figure.x, {}, QStringLiteral(" (%1, k\u00A0=\u00A02)").arg(m_figure.x.unit))); // in a budget
+            m_figure.x, {},
+            (isBudget() ? QStringLiteral(" (%1, k\u00A0=\u00A02)") : QStringLiteral(" (%1)")).arg(m_figure.x.unit)));
         return m_frame.transform();
     }
 
@@ -52,7 +53,11 @@ private:
     [[nodiscard]] TextLine valueTitle() const {
         return axisTitle(m_figure.x, {}, QStringLiteral(", ") + m_figure.x.unit);
     }
-    [[nodiscard]] QString shareTitle() const { return m_figure.shareTitle + QStringLiteral(", %"); }
+    /// The contributions to an uncertainty have shares; other bars none.
+    [[nodiscard]] bool isBudget() const { return !m_figure.shareTitle.isEmpty(); }
+    [[nodiscard]] QString shareTitle() const {
+        return isBudget() ? m_figure.shareTitle + QStringLiteral(", %") : QString();
+    }
     [[nodiscard]] QColor text() const { return m_frame.colour(FigureRole::text); }
 
     /// Area of the bars; measures the columns next to it.
