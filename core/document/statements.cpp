@@ -41,8 +41,10 @@ void removeReadings(CircularMeasurement &measurement) {
 void removeReadings(DriftMeasurement &measurement) {
     measurement.times.clear();
     measurement.deviations.clear();
-    measurement.channels.clear();
-    measurement.temperatures.clear();
+    for (DriftChannel &channel : measurement.channels)
+        channel.values.clear();
+    for (DriftTemperature &temperature : measurement.temperatures)
+        temperature.values.clear();
 }
 
 /// Replaces the reference to a drift test, which the reader will not have, by its range.

@@ -92,11 +92,12 @@ void writeReadings(CsvWriter &csv, const CircularMeasurement &m, const TestEvalu
 void writeReadings(CsvWriter &csv, const DriftMeasurement &m, const TestEvaluation & /*evaluation*/) {
     csv.text("time (s)");
     const std::vector<DriftChannel> channels = channelsOf(m);
-    for (const DriftChannel &channel : channels)
-        csv.text((m.channels.empty() ? "deviation" : channel.name) +
-                 (channel.quantity == ChannelQuantity::deviation ? " (mm)" : " (deg)"));
-    for (const DriftTemperature &temperature : m.temperatures)
-        csv.text(temperature.measures + " (°C)");
+    // Their names, which may look like units, are stated above.
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        csv.text(palmercsv::deviation + (m.channels.empty() ? std::string() : ' ' + std::to_string(i + 1)) +
+                 (channels[i].quantity == ChannelQuantity::deviation ? " (mm)" : " (deg)"));
+    for (std::size_t i = 0; i < m.temperatures.size(); ++i)
+        csv.text(palmercsv::temperature + (' ' + std::to_string(i + 1)) + " (°C)");
     csv.endRow();
     for (std::size_t i = 0; i < m.times.size(); ++i) {
         csv.number(m.times[i]);

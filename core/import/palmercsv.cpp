@@ -257,7 +257,21 @@ private:
 
     void takeDrift() {
         say("times", column(rows(), 0, CellRole::position));
-        say("deviations", column(rows(), 1, CellRole::positive));
+        const auto countOf = [this](const std::string &name) { // "deviation 1", "deviation 2"
+            std::size_t count = 0;
+            for (std::size_t column = 0; column < m_heading->count; ++column)
+                count += textOf(*m_heading, column).starts_with(name + ' ' + std::to_string(count + 1)) ? 1 : 0;
+            return count;
+        };
+        const std::size_t channels = countOf(palmercsv::deviation);
+        const std::size_t temperatures = countOf(palmercsv::temperature);
+        std::size_t next = 1;
+        if (channels == 0)
+            say("deviations", column(rows(), next++, CellRole::positive));
+        for (std::size_t i = 0; i < channels; ++i)
+            say("channels[" + std::to_string(i) + "].values", column(rows(), next++, CellRole::positive));
+        for (std::size_t i = 0; i < temperatures; ++i)
+            say("temperatures[" + std::to_string(i) + "].values", column(rows(), next++, CellRole::positive));
     }
 
     Choices &m_choices;
