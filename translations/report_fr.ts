@@ -566,7 +566,7 @@
         <translation>Tous les intervalles sont des multiples entiers de la période de %1&#xa0;: son erreur périodique reste cachée.</translation>
     </message>
     <message>
-        <source>The targets leave their nominal interval of %1 by up to ± %2; the random part is to stay within ± %3.</source>
+        <source>Target spacing differs from the nominal %1 by up to %2; the random part is to stay within ± %3.</source>
         <translation>Les points visés s’écartent de leur intervalle nominal de %1 jusqu’à ±&#xa0;%2&#x202f;; la part aléatoire doit rester dans ±&#xa0;%3.</translation>
     </message>
     <message>
@@ -981,7 +981,7 @@
     </message>
     <message>
         <source>Working zone</source>
-        <translation>Zone de travail</translation>
+        <translation>Zone de travail normal</translation>
     </message>
     <message>
         <source>Cycle</source>
@@ -1542,7 +1542,7 @@
     </message>
     <message>
         <source>random part of seed %1</source>
-        <translation>part aléatoire de germe %1</translation>
+        <translation>composante aléatoire (germe %1)</translation>
     </message>
     <message>
         <source>tool offset: %1</source>
@@ -2114,7 +2114,7 @@
     </message>
     <message>
         <source>Signed results are compared by their absolute value; the verdict is based on the unrounded values.</source>
-        <translation>Les résultats signés sont comparés par leur valeur absolue&#x202f;; le verdict est établi sur les valeurs non arrondies.</translation>
+        <translation>Les résultats affectés d’un signe sont comparés par leur valeur absolue&#x202f;; le verdict est établi sur les valeurs non arrondies.</translation>
     </message>
     <message>
         <source>accuracy</source>
@@ -3446,7 +3446,7 @@
     </message>
     <message>
         <source>coverage factor of the certificate</source>
-        <translation>facteur d’élargissement du certificat</translation>
+        <translation>facteur conventionnel du certificat</translation>
     </message>
     <message>
         <source>%1</source>
@@ -3770,7 +3770,7 @@
     </message>
     <message>
         <source>Captured range</source>
-        <translation>Étendue saisie</translation>
+        <translation>Étendue de capture</translation>
     </message>
     <message>
         <source>Points</source>
@@ -3802,7 +3802,7 @@
     </message>
     <message>
         <source>Set-up removed</source>
-        <translation>Réglage retiré</translation>
+        <translation>Erreur de centrage retirée</translation>
     </message>
     <message>
         <source>full circle</source>
@@ -3814,7 +3814,7 @@
     </message>
     <message>
         <source>proven narrowest</source>
-        <translation>minimum prouvé</translation>
+        <translation>minimum global</translation>
     </message>
     <message>
         <source>Circle</source>
@@ -4059,7 +4059,7 @@
     </message>
     <message>
         <source>Agreed working zone</source>
-        <translation>Zone de travail convenue</translation>
+        <translation>Zone de travail normal convenue</translation>
     </message>
     <message>
         <source>The 2 000 mm (360°) of a long axis that were agreed for the full test. A test whose targets lie inside is judged as that of a short axis.</source>
@@ -4259,7 +4259,7 @@
     </message>
     <message>
         <source>How many times the expanded uncertainty U the value has to stay away from the limit; 1 as a rule.</source>
-        <translation>À combien de fois l’incertitude élargie U la valeur doit rester de la limite&#x202f;; 1 en règle générale.</translation>
+        <translation>À combien de fois l’incertitude étendue U la valeur doit rester de la limite&#x202f;; 1 en règle générale.</translation>
     </message>
     <message>
         <source>What the edition leaves to supplier and user. “Not agreed” is printed as it is, “not applicable” asks for nothing.</source>
@@ -4836,7 +4836,7 @@
     </message>
     <message>
         <source>Expanded uncertainty of the instrument&apos;s displacement, from its certificate. A simulation draws one error a trial for all points: F and D move by it, G does not. The budget counts it in G, too.</source>
-        <translation>Incertitude élargie du déplacement de l’instrument, d’après son certificat. Une simulation tire une seule erreur par essai pour tous les points&#xa0;: F et D s’en trouvent décalés, pas G. Le bilan la compte aussi dans G.</translation>
+        <translation>Incertitude étendue du déplacement de l’instrument, d’après son certificat. Une simulation tire une seule erreur par essai pour tous les points&#xa0;: F et D s’en trouvent décalés, pas G. Le bilan la compte aussi dans G.</translation>
     </message>
     <message>
         <source>Noise of a point</source>
@@ -4869,7 +4869,7 @@
     </message>
     <message>
         <source>Expanded uncertainty</source>
-        <translation>Incertitude élargie</translation>
+        <translation>Incertitude étendue</translation>
     </message>
     <message>
         <source>U of the result with k = 2, as the laboratory determined it.</source>
@@ -5509,8 +5509,8 @@
         <translation>U en %1</translation>
     </message>
     <message>
-        <source>With the actual targets (ours)</source>
-        <translation>Avec les points réels (notre méthode)</translation>
+        <source>With the actual targets (Palmer&apos;s method)</source>
+        <translation>Avec les points réels (méthode Palmer)</translation>
     </message>
     <message>
         <source>95.45 %</source>
@@ -5557,7 +5557,7 @@
         <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: la simulation fait croître avec la longueur la part fixe de l’incertitude de l’instrument, le budget la compte en entier.</translation>
     </message>
     <message>
-        <source>%1: budget and Monte Carlo differ by more than 20 %: readings that the errors tilt one way or the other let other targets rule, which the budget does not follow.</source>
+        <source>%1: budget and Monte Carlo differ by more than 20 %: readings that the errors tilt one way or the other move the governing targets, which the budget does not follow.</source>
         <translation>%1&#xa0;: budget et Monte-Carlo diffèrent de plus de 20&#xa0;%&#xa0;: inclinés dans un sens ou dans l’autre par les erreurs, les relevés donnent d’autres points déterminants, ce que le budget ne suit pas.</translation>
     </message>
     <message>
@@ -5678,11 +5678,11 @@
     </message>
     <message>
         <source>Set COMP_FILE_TYPE = 0; the joint counts in mm; BACKLASH has no effect beside a COMP_FILE.</source>
-        <translation>Réglez COMP_FILE_TYPE = 0&#x202f;; l’articulation compte en mm&#x202f;; BACKLASH est sans effet à côté d’un COMP_FILE.</translation>
+        <translation>Réglez COMP_FILE_TYPE = 0&#x202f;; l’axe (joint) est en mm&#x202f;; BACKLASH est sans effet à côté d’un COMP_FILE.</translation>
     </message>
     <message>
         <source>Set COMP_FILE_TYPE = 0; the joint counts in degrees; BACKLASH has no effect beside a COMP_FILE.</source>
-        <translation>Réglez COMP_FILE_TYPE = 0&#x202f;; l’articulation compte en degrés&#x202f;; BACKLASH est sans effet à côté d’un COMP_FILE.</translation>
+        <translation>Réglez COMP_FILE_TYPE = 0&#x202f;; l’axe (joint) est en degrés&#x202f;; BACKLASH est sans effet à côté d’un COMP_FILE.</translation>
     </message>
     <message>
         <source>MD38000 has to be %1 at least; MD32700 is 0 while the table is loaded.</source>
@@ -6017,11 +6017,11 @@
     </message>
     <message>
         <source>agreed working zone</source>
-        <translation>zone de travail convenue</translation>
+        <translation>zone de travail normal convenue</translation>
     </message>
     <message>
         <source>No working zone was agreed.</source>
-        <translation>Aucune zone de travail n’a été convenue.</translation>
+        <translation>Aucune zone de travail normal n’a été convenue.</translation>
     </message>
     <message>
         <source>continuous measuring device or not</source>
@@ -6081,11 +6081,11 @@
     </message>
     <message>
         <source>location of the 2 m working zone</source>
-        <translation>emplacement de la zone de travail de 2&#xa0;m</translation>
+        <translation>emplacement de la zone de travail normal de 2&#xa0;m</translation>
     </message>
     <message>
         <source>location of the working zone of 2 000 mm or 360°</source>
-        <translation>emplacement de la zone de travail de 2&#x202f;000&#xa0;mm ou 360°</translation>
+        <translation>emplacement de la zone de travail normal de 2&#x202f;000&#xa0;mm ou 360°</translation>
     </message>
     <message>
         <source>All targets have the same phase of the pitch %1.</source>
@@ -6261,8 +6261,8 @@
         <translation>conforme en partie</translation>
     </message>
     <message>
-        <source>Tests in accordance: %1</source>
-        <translation>Essais conformes à leur édition&#xa0;: %1</translation>
+        <source>In accordance: %1</source>
+        <translation>Conformes à leur édition&#xa0;: %1</translation>
     </message>
     <message>
         <source>; in part: %1</source>
@@ -6273,12 +6273,12 @@
         <translation>&#x202f;; non établi&#xa0;: %1</translation>
     </message>
     <message>
-        <source>; NOT: %1</source>
-        <translation>&#x202f;; NON conformes&#xa0;: %1</translation>
+        <source>; not: %1</source>
+        <translation> ; non conformes&#xa0;: %1</translation>
     </message>
     <message>
-        <source>; text not available: %1</source>
-        <translation>&#x202f;; texte non disponible&#xa0;: %1</translation>
+        <source>; not checked: %1</source>
+        <translation> ; non vérifiés&#xa0;: %1</translation>
     </message>
     <message>
         <source>not declared</source>
@@ -7112,7 +7112,7 @@
     </message>
     <message>
         <source>unidirectional systematic error</source>
-        <translation>erreur systématique unidirectionnelle</translation>
+        <translation>écart systématique unidirectionnel</translation>
     </message>
     <message>
         <source>“%1” is no path of a test file, as machine.name or tests[0].limits.A.value</source>
@@ -7531,7 +7531,7 @@
         <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>How its tests moved, %1</source>
+        <source>Results over time, %1</source>
         <translation>Évolution des essais, %1</translation>
     </message>
     <message>
@@ -8725,11 +8725,11 @@
     </message>
     <message>
         <source>coverage factor of the calibration of displacement</source>
-        <translation>facteur d’élargissement de l’étalonnage du déplacement</translation>
+        <translation>facteur conventionnel de l’étalonnage du déplacement</translation>
     </message>
     <message>
         <source>coverage factor of the reference length</source>
-        <translation>facteur d’élargissement de la longueur de référence</translation>
+        <translation>facteur conventionnel de la longueur de référence</translation>
     </message>
     <message>
         <source>length L</source>
@@ -9723,6 +9723,24 @@
         <source>%1 for %2</source>
         <comment>measured, tolerance</comment>
         <translation>%1 pour %2</translation>
+    </message>
+    <message>
+        <source>Exceeded at the last test</source>
+        <translation>Dépassé au dernier essai</translation>
+    </message>
+    <message>
+        <source>End of the history</source>
+        <translation>Fin de l’historique</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>number of tests</comment>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <comment>of a circle</comment>
+        <translation>Preuve</translation>
     </message>
     <message>
         <source>did you mean %1?</source>

@@ -5169,7 +5169,7 @@ est la même machine que&#xa0;:</translation>
     </message>
     <message>
         <source>The expanded uncertainty of every result is entered</source>
-        <translation>L’incertitude élargie de chaque résultat est saisie</translation>
+        <translation>L’incertitude étendue de chaque résultat est saisie</translation>
     </message>
     <message>
         <source>No uncertainty is stated</source>
@@ -5221,7 +5221,7 @@ est la même machine que&#xa0;:</translation>
     </message>
     <message>
         <source>Expanded uncertainty of the results by both methods</source>
-        <translation>Incertitude élargie des résultats selon les deux méthodes</translation>
+        <translation>Incertitude étendue des résultats selon les deux méthodes</translation>
     </message>
     <message>
         <source>distribution</source>
@@ -5276,8 +5276,8 @@ est la même machine que&#xa0;:</translation>
         <translation>Points réels</translation>
     </message>
     <message>
-        <source>The verdict is based on the budget with what the actual targets carry of its systematic part (ours)</source>
-        <translation>Le verdict est fondé sur le budget avec ce que les points réels portent de sa part systématique (notre méthode)</translation>
+        <source>The verdict is based on the budget with what the actual targets carry of its systematic part (Palmer&apos;s method)</source>
+        <translation>Le verdict est fondé sur le budget avec ce que les points réels portent de sa part systématique (méthode Palmer)</translation>
     </message>
     <message>
         <source>used for the verdict</source>

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 
 namespace palmer {
 
@@ -83,6 +84,7 @@ public:
         addFigures();
         addCampaigns();
         addResults();
+        report.blocks.emplace_back(EndMark{text(REPORT_TEXT("report", "End of the history"))});
         report.footerLeft =
             number.isEmpty() ? title : say(REPORT_TEXT("report", "History %1"), {number.toStdString()});
         report.footerCentre =
@@ -155,7 +157,7 @@ private:
         head.numberNotes << say(REPORT_TEXT("report", "Tests: %1, campaigns: %2"),
                                 {count(m_history.tests.size()), count(campaigns().size())});
         head.title = title;
-        head.subtitle = say(REPORT_TEXT("report", "How its tests moved, %1"), {period().toStdString()});
+        head.subtitle = say(REPORT_TEXT("report", "Results over time, %1"), {period().toStdString()});
         const ListedMachine &machine = m_history.machine;
         QStringList type{machine.manufacturer, machine.model};
         type.removeAll(QString());
@@ -202,31 +204,68 @@ private:
                    {plainSymbolOf(one.trend->parameter).toStdString(), one.axis->axis});
     }
 
+    /// Quantities whose newest result exceeds its limit.
+    [[nodiscard]] std::vector<Watched> exceededNow() const {
+        std::vector<Watched> list;
+        for (const AxisTrends &axis : m_axes) {
+            for (const MachineTrend &trend : axis.trends) {
+                if (!trend.series.empty() && trend.limit &&
+                    trend.series.front().entries.back().result.verdict == Verdict::doesNotConform)
+                    list.push_back({&axis, &trend});
+            }
+        }
+        return list;
+    }
+
+    /// "4.2 ± 0.3 µm": the newest result.
+    [[nodiscard]] QString newestOf(const MachineTrend &trend) const {
+        return shownResult(trend.series.front().entries.back().result, trend.angular, m_language).text() +
+               QChar(QChar::Nbsp) + m_language.unit(trendQuantity(trend));
+    }
+
+    [[nodiscard]] QString limitOf(const MachineTrend &trend) const {
+        const Quantity quantity = trendQuantity(trend);
+        return m_language.quantity(*trend.limit, quantity, limitDecimals(*trend.limit, quantity));
+    }
+
+    [[nodiscard]] VerdictStatement statementOf(const Text &label, const Watched &one) const {
+        return {text(label), Mark::none, symbolAndAxis(one), trendStatement(*one.trend, m_language)};
+    }
+
+    /// What is exceeded now, otherwise what may be first; then the next of these.
     void addWatch() {
         const std::vector<Watched> list = watched();
+        const std::vector<Watched> exceeded = exceededNow();
         VerdictLine line;
-        line.label = text(REPORT_TEXT("report", "To watch first"));
-        if (list.empty()) {
+        if (!exceeded.empty()) {
+            const Watched &first = exceeded.front();
+            line.mark = Mark::cross;
+            line.label = text(REPORT_TEXT("report", "Exceeded at the last test"));
+            line.word =
+                say(REPORT_TEXT("report", "%1: %2"),
+                    {symbolAndAxis(first).toStdString(), newestOf(*first.trend).toStdString()});
+            line.limits = {text(REPORT_TEXT("report", "Limit")), Mark::none, limitOf(*first.trend), {}};
+            QStringList others;
+            for (const Watched &one : std::span(exceeded).subspan(1))
+                others << say(REPORT_TEXT("report", "%1 (%2 against %3)"),
+                              {symbolAndAxis(one).toStdString(), newestOf(*one.trend).toStdString(),
+                               limitOf(*one.trend).toStdString()});
+            line.limits.text = others.join(QStringLiteral(", "));
+            if (!list.empty())
+                line.accordance = statementOf(REPORT_TEXT("report", "To watch first"), list.front());
+        } else if (list.empty()) {
+            line.label = text(REPORT_TEXT("report", "To watch first"));
             line.word = text(REPORT_TEXT("report", "no trend towards a limit"));
         } else {
             const MachineTrend &trend = *list.front().trend;
+            line.label = text(REPORT_TEXT("report", "To watch first"));
             line.word =
                 say(REPORT_TEXT("report", "%1: %2"), {symbolAndAxis(list.front()).toStdString(),
                                                       trendStatement(trend, m_language).toStdString()});
-            const Quantity quantity = trendQuantity(trend);
-            const TrendEntry &last = trend.series.front().entries.back();
-            line.limits.label = text(REPORT_TEXT("report", "Limit"));
-            line.limits.state =
-                m_language.quantity(*trend.limit, quantity, limitDecimals(*trend.limit, quantity));
-            line.limits.text = say(REPORT_TEXT("report", "%1 at the last test"),
-                                   {(shownResult(last.result, trend.angular, m_language).text() +
-                                     QChar(QChar::Nbsp) + m_language.unit(quantity))
-                                        .toStdString()});
-            if (list.size() > 1) {
-                line.accordance.label = text(REPORT_TEXT("report", "Then"));
-                line.accordance.state = symbolAndAxis(list[1]);
-                line.accordance.text = trendStatement(*list[1].trend, m_language);
-            }
+            line.limits = {text(REPORT_TEXT("report", "Limit")), Mark::none, limitOf(trend),
+                           say(REPORT_TEXT("report", "%1 at the last test"), {newestOf(trend).toStdString()})};
+            if (list.size() > 1)
+                line.accordance = statementOf(REPORT_TEXT("report", "Then"), list[1]);
         }
         m_blocks->emplace_back(std::move(line));
     }

@@ -82,6 +82,7 @@ private slots:
     void aFullDiskLosesNothing();
     void aFullDiskLeavesNoEmptyRegister();
     void theHistoryIsPrinted();
+    void whatIsExceededComesFirst();
     void theNumberOfAHistory_data();
     void theNumberOfAHistory();
     void theTestOfAType();
@@ -552,6 +553,30 @@ void RegisterCommandTest::theHistoryIsPrinted() {
     const QByteArray first = contents(m_dir->filePath("history.fr.pdf"));
     QCOMPARE(reg({"report", "--machine", "000-001", "--language", "fr", "-o", pdf}).code, 0);
     QCOMPARE(contents(pdf), first);
+}
+
+/// Above every trend stands the quantity that exceeds its limit now, with value, U and limit.
+void RegisterCommandTest::whatIsExceededComesFirst() {
+    QFile example(QStringLiteral(SOURCE "/resources/examples/rotary-axis.palmer"));
+    QVERIFY(example.open(QIODevice::ReadOnly));
+    QJsonObject file = QJsonDocument::fromJson(example.readAll()).object();
+    QJsonArray tests = file["tests"].toArray();
+    QJsonObject test = tests[0].toObject();
+    test["limits"] = QJsonObject{{"A", QJsonObject{{"value", 0.0001}}}};
+    tests[0] = test;
+    file["tests"] = tests;
+    const QString folder = m_dir->filePath("exceeded");
+    QVERIFY(QDir().mkpath(folder));
+    write(folder + "/one.palmer", QJsonDocument(file).toJson());
+    QCOMPARE(reg({"scan", folder}).code, 0);
+    const QString pdf = m_dir->filePath("history.pdf");
+    QCOMPARE(reg({"report", "--machine", "000-002", "--language", "en", "-o", pdf}).code, 0);
+    QProcess text;
+    text.start("pdftotext", {pdf, "-"});
+    QVERIFY(text.waitForFinished(60'000));
+    const QByteArray words = text.readAllStandardOutput().replace("\u00A0", " ");
+    for (const char *word : {"Exceeded at the last test", "A of C: 8.1", "0.36″", "End of the history"})
+        QVERIFY2(words.contains(word), words);
 }
 
 void RegisterCommandTest::theNumberOfAHistory_data() {

@@ -644,7 +644,7 @@ void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
         linear ? tr("The verdict is based on the simplified budget after the model of ISO 230-2:2006 Annex A")
                : tr("The verdict is based on the simplified budget of the contributors of ISO 230-4, 4.6"),
         tr("The verdict is based on the budget with what the actual targets carry of its systematic part "
-           "(ours)"),
+           "(Palmer's method)"),
         tr("The verdict is based on the Monte Carlo simulation (GUM Supplement 1)"),
         tr("The expanded uncertainty of every result is entered"), tr("No uncertainty is stated")};
     for (std::size_t i = 0; i < methods.size(); ++i) {

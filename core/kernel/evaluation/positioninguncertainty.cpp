@@ -201,8 +201,8 @@ std::optional<Text> reasonOfTilt(const Parameter &p, const Row &row, Tilted &til
         const double half = halfIntervalOfTilts(tilted, row, systematic, c, normal);
         if (methodsAgree(simulated.expanded(), std::hypot(half, environment)))
             return REPORT_TEXT("report", "%1: budget and Monte Carlo differ by more than 20 %: readings that "
-                                         "the errors tilt one way or the other let other targets rule, which "
-                                         "the budget does not follow.");
+                                         "the errors tilt one way or the other move the governing targets, "
+                                         "which the budget does not follow.");
     }
     return std::nullopt;
 }

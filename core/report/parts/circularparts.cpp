@@ -299,7 +299,7 @@ KeyValues centreRows(const CircularPart &part, const CircleFigureOptions &option
     rows.add(REPORT_TEXT("report", "Centre"),
              circle ? centreText(part, circle->centre, circleDecimals) : QString());
     if (circle && circle->certified)
-        rows.add(REPORT_TEXT("report", "Certificate"), certificate(part, *circle).text.plain());
+        rows.add(REPORT_TEXT_FOR("report", "Certificate", "of a circle"), certificate(part, *circle).text.plain());
     return rows.take();
 }
 
@@ -424,7 +424,7 @@ void addCircles(std::vector<Block> &blocks, const CircularPart &part) {
                      columnOf(phraseFrom(QStringLiteral("R_min − R_nom")), 20, Alignment::decimal, unit),
                      columnOf(phraseFrom(QStringLiteral("R_max − R_nom")), 20, Alignment::decimal, unit),
                      write.column(REPORT_TEXT("report", "Width"), 14, Alignment::decimal, unit),
-                     write.column(REPORT_TEXT("report", "Certificate"), 30)};
+                     write.column(REPORT_TEXT_FOR("report", "Certificate", "of a circle"), 30)};
     table.columns.back().paddingLeft = 2;
     table.unbroken = true;
     for (const CircleResult &circle : circles) {

@@ -123,7 +123,7 @@ Table resultTable(const TestPart &part) {
     const QString factor = QStringLiteral("k\u00A0=\u00A02");
     std::vector<Cell> budget{withCoverage(write.text(kindWords(part.test).budget), factor)};
     std::vector<Cell> actual{
-        withCoverage(write.text(REPORT_TEXT("report", "With the actual targets (ours)")), factor)};
+        withCoverage(write.text(REPORT_TEXT("report", "With the actual targets (Palmer's method)")), factor)};
     std::vector<Cell> monteCarlo{withCoverage(write.text(REPORT_TEXT("report", "Monte Carlo (GUM-S1)")),
                                               write.text(REPORT_TEXT("report", "95.45 %")))};
     const std::string thousandth = thousandthOf(quantity, write.language()).toStdString();

@@ -188,16 +188,18 @@ QString accordanceOfAll(std::span<const Accordance> tests, const Language &langu
         Text words;
     };
     const std::array parts{
-        CountedPart{Accordance::yes, REPORT_TEXT("report", "Tests in accordance: %1")},
+        CountedPart{Accordance::yes, REPORT_TEXT("report", "In accordance: %1")},
         CountedPart{Accordance::partly, REPORT_TEXT("report", "; in part: %1")},
         CountedPart{Accordance::notShown, REPORT_TEXT("report", "; not shown: %1")},
-        CountedPart{Accordance::no, REPORT_TEXT("report", "; NOT: %1")},
-        CountedPart{Accordance::notChecked, REPORT_TEXT("report", "; text not available: %1")}};
+        CountedPart{Accordance::no, REPORT_TEXT("report", "; not: %1")},
+        CountedPart{Accordance::notChecked, REPORT_TEXT("report", "; not checked: %1")}};
+    constexpr Text none = REPORT_TEXT_FOR("report", "none", "number of tests");
     QString result;
     for (const CountedPart &part : parts) {
         const Number number = wholeNumber(count(part.accordance));
         if (number.value > 0 || part.accordance == Accordance::yes)
-            result += language.sentence(part.words, {number});
+            result += number.value > 0 ? language.sentence(part.words, {number})
+                                       : language.sentence(part.words, {language.text(none).toStdString()});
     }
     return result + u'.';
 }

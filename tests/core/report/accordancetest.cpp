@@ -168,8 +168,8 @@ void AccordanceTest::severalTests_data() {
     using enum Accordance;
     row("all", {yes, yes}, "All tests carried out in accordance with their editions.");
     row("every value", {yes, yes, partly, notShown, no, notChecked},
-        "Tests in accordance: 2; in part: 1; not shown: 1; NOT: 1; text not available: 1.");
-    row("none", {no, no}, "Tests in accordance: 0; NOT: 2.");
+        "In accordance: 2; in part: 1; not shown: 1; not: 1; not checked: 1.");
+    row("none", {no, no}, "In accordance: none; not: 2.");
 }
 
 void AccordanceTest::severalTests() {

@@ -418,8 +418,8 @@ Judgement choiceOf2006(const PositioningCase &test) {
         return Judgement::met();
     return Judgement::unmet(
         {REPORT_TEXT("report",
-                     "The targets leave their nominal interval of %1 by up to ± %2; the random part is "
-                     "to stay within ± %3."),
+                     "Target spacing differs from the nominal %1 by up to %2; the random part is to stay "
+                     "within ± %3."),
          {along(test, interval, choice.interval ? -1 : 2), along(test, width / 2, 2),
           along(test, bound, periodic || choice.interval ? -1 : 2)}});
 }
