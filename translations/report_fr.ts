@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>The deviations at the same target progress steadily from approach to approach: D = %1 from the first to the last, beside %4 = %5 (t = %2, above %3). The thermal conditions may be unstable.</source>
-        <translation>Les écarts à un même point visé progressent régulièrement d’une approche à l’autre&#xa0;: D = %1 de la première à la dernière, à côté de %4 = %5 (t = %2, au-dessus de %3). Les conditions thermiques sont peut-être instables.</translation>
+        <translation>Les écarts à un même point visé progressent régulièrement d’une approche à l’autre&#xa0;: D = %1 de la première à la dernière, à comparer à %4 = %5 (t = %2, au-dessus de %3). Les conditions thermiques sont peut-être instables.</translation>
     </message>
     <message>
         <source>largest temperature gradient, 12 h before and during the test</source>
@@ -1473,10 +1473,6 @@
         <translation>Signature</translation>
     </message>
     <message>
-        <source>Signatures</source>
-        <translation>Signatures</translation>
-    </message>
-    <message>
         <source>End of the report</source>
         <translation>Fin du rapport</translation>
     </message>
@@ -1738,18 +1734,6 @@
     <message>
         <source>Measurement uncertainty</source>
         <translation>Incertitude de mesure</translation>
-    </message>
-    <message>
-        <source>The expanded uncertainties U beside the results were stated by the laboratory.</source>
-        <translation>Les incertitudes étendues U indiquées avec les résultats ont été données par le laboratoire.</translation>
-    </message>
-    <message>
-        <source>%1 asks for the uncertainty beside every result; some are not stated.</source>
-        <translation>L’%1 demande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; certaines ne sont pas indiquées.</translation>
-    </message>
-    <message>
-        <source>%1 asks for the uncertainty beside every result; none is stated.</source>
-        <translation>L’%1 demande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; aucune n’est indiquée.</translation>
     </message>
     <message>
         <source>The correction was to be made here, but temperatures or coefficients of expansion are missing: nothing is corrected.</source>
@@ -2074,10 +2058,6 @@
     <message>
         <source>unidirectional test</source>
         <translation>essai unidirectionnel</translation>
-    </message>
-    <message>
-        <source>what the edition asks for and this test does not have</source>
-        <translation>ce que l’édition demande et que cet essai n’a pas</translation>
     </message>
     <message>
         <source>Limits and decision rule</source>
@@ -5517,14 +5497,6 @@
         <translation>95,45&#xa0;%</translation>
     </message>
     <message>
-        <source>2s of this U, in %1</source>
-        <translation>2s de cet U, en %1</translation>
-    </message>
-    <message>
-        <source>Tolerance of u, in %1</source>
-        <translation>Tolérance sur u, en %1</translation>
-    </message>
-    <message>
         <source>With the actual targets: in place of S = %1 what the positions that rule really carry of it, the readings tilted by ±S over L and evaluated anew; an explanation, unless it is chosen to decide.</source>
         <translation>Avec les points réels&#xa0;: au lieu de S = %1, ce qu’en portent réellement les positions déterminantes, les relevés étant inclinés de ±S sur L et évalués à nouveau&#x202f;; à titre d’explication, sauf si cette méthode est retenue pour le verdict.</translation>
     </message>
@@ -6469,14 +6441,6 @@
         <translation>Partie non évaluée</translation>
     </message>
     <message>
-        <source>%1 recommends stating the uncertainty beside every result; some are not stated.</source>
-        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; certaines ne sont pas indiquées.</translation>
-    </message>
-    <message>
-        <source>%1 recommends stating the uncertainty beside every result; none is stated.</source>
-        <translation>L’%1 recommande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; aucune n’est indiquée.</translation>
-    </message>
-    <message>
         <source>Rule</source>
         <translation>Règle</translation>
     </message>
@@ -6498,7 +6462,7 @@
     </message>
     <message>
         <source>limits not proven</source>
-        <translation>limites non prouvées</translation>
+        <translation>respect des limites non prouvé</translation>
     </message>
     <message>
         <source>limits exceeded</source>
@@ -6957,18 +6921,6 @@
     <message>
         <source>not in the font of the report: %1; drawn from another font where one is installed, else as boxes</source>
         <translation>absents de la police du rapport&#xa0;: %1&#x202f;; tracés avec une autre police s’il y en a une, sinon par des cases</translation>
-    </message>
-    <message>
-        <source>limit. Value left of the limit: met; right of it: exceeded.</source>
-        <translation>limite. Valeur à gauche de la limite&#xa0;: respectée&#x202f;; à droite&#xa0;: dépassée.</translation>
-    </message>
-    <message>
-        <source>limit ± %1. Value left of the band: met; within: non-conformity not proven; right: exceeded.</source>
-        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: respectée&#x202f;; dans la bande&#xa0;: non-conformité non prouvée&#x202f;; à droite&#xa0;: dépassée.</translation>
-    </message>
-    <message>
-        <source>limit ± %1. Value left of the band: met; in the band: not proven; right of the band: exceeded.</source>
-        <translation>limite ± %1. Valeur à gauche de la bande&#xa0;: respectée&#x202f;; dans la bande&#xa0;: non prouvé&#x202f;; à droite&#xa0;: dépassée.</translation>
     </message>
     <message>
         <source>As for test %1: %2.</source>
@@ -10192,6 +10144,82 @@
     <message>
         <source>what has changed from test A to test B: differences with their uncertainty</source>
         <translation>ce qui a changé de l’essai A à l’essai B&#xa0;: différences avec leur incertitude</translation>
+    </message>
+    <message>
+        <source>only the certificate: verdict, results, conditions, what the text of the edition asks, signatures</source>
+        <translation>le certificat seul&#xa0;: verdict, résultats, conditions, ce que demande le texte de l’édition, signatures</translation>
+    </message>
+    <message>
+        <source>End of the certificate. The annex from page %1 on is part of this report.</source>
+        <translation>Fin du certificat. L’annexe, à partir de la page %1, fait partie de ce rapport.</translation>
+    </message>
+    <message>
+        <source>Responsibility and signatures</source>
+        <translation>Responsabilité et signatures</translation>
+    </message>
+    <message>
+        <source>Program and test file</source>
+        <translation>Programme et fichier d’essai</translation>
+    </message>
+    <message>
+        <source>Annex</source>
+        <translation>Annexe</translation>
+    </message>
+    <message>
+        <source>Findings of test %1</source>
+        <translation>Constats de l’essai %1</translation>
+    </message>
+    <message>
+        <source>what the text of %1 asks for and this test does not have</source>
+        <translation>ce que le texte de %1 demande et que cet essai n’a pas</translation>
+    </message>
+    <message>
+        <source>Findings of practice, laboratory and program</source>
+        <translation>Constats d’usage, de laboratoire et du programme</translation>
+    </message>
+    <message>
+        <source>limits: %1</source>
+        <translation>limites&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>U: expanded uncertainty</source>
+        <translation>U&#xa0;: incertitude étendue</translation>
+    </message>
+    <message>
+        <source>coverage factor k = 2, coverage probability of about 95 %</source>
+        <translation>facteur conventionnel k&#xa0;=&#xa0;2, probabilité de couverture d’environ 95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>stated by the laboratory</source>
+        <translation>indiquée par le laboratoire</translation>
+    </message>
+    <message>
+        <source>from the budget in the annex</source>
+        <translation>d’après le budget en annexe</translation>
+    </message>
+    <message>
+        <source>Decision rule: %1. A limit is met by a value not above it; the verdict is based on unrounded values.</source>
+        <translation>Règle de décision&#xa0;: %1. Une limite est respectée par une valeur qui ne la dépasse pas ; verdict établi sur les valeurs non arrondies.</translation>
+    </message>
+    <message>
+        <source>Decision rule: %1. A limit is met where value + %2 ≤ limit, exceeded where value − %2 &gt; limit, otherwise not proven; the verdict is based on unrounded values.</source>
+        <translation>Règle de décision&#xa0;: %1. Une limite est respectée si valeur&#xa0;+&#xa0;%2&#xa0;≤&#xa0;limite, dépassée si valeur&#xa0;−&#xa0;%2&#xa0;&gt;&#xa0;limite, sinon le respect n’est pas prouvé ; verdict établi sur les valeurs non arrondies.</translation>
+    </message>
+    <message>
+        <source>Decision rule: %1. A limit is met where value + %2 ≤ limit, exceeded where value − %2 &gt; limit; between, non-conformity is not proven; the verdict is based on unrounded values.</source>
+        <translation>Règle de décision&#xa0;: %1. Une limite est respectée si valeur&#xa0;+&#xa0;%2&#xa0;≤&#xa0;limite, dépassée si valeur&#xa0;−&#xa0;%2&#xa0;&gt;&#xa0;limite ; entre les deux, la non-conformité n’est pas prouvée ; verdict établi sur les valeurs non arrondies.</translation>
+    </message>
+    <message>
+        <source>limit ± %1, one scale per row</source>
+        <translation>limite ± %1, une échelle par ligne</translation>
+    </message>
+    <message>
+        <source>edition of the test: %1; the others without verdict</source>
+        <translation>édition de l’essai&#xa0;: %1 ; les autres sans verdict</translation>
+    </message>
+    <message>
+        <source>Twice the standard deviation of U over the blocks of trials: at most %1.</source>
+        <translation>Deux fois l’écart-type de U d’un bloc de tirages à l’autre&#xa0;: au plus %1.</translation>
     </message>
     <message>
         <source>expected the id of another test of this file, no drift test; “%1” is none</source>

@@ -2079,6 +2079,10 @@
         <source>Contact</source>
         <translation>Contact</translation>
     </message>
+    <message>
+        <source>Signatures</source>
+        <translation>Signatures</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ImportAssistant</name>
@@ -4398,6 +4402,10 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>Attach a digital calibration certificate (DCC)</source>
         <translation>Joindre le certificat numérique (DCC)</translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation>Signatures</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,7 @@ namespace {
 
 constexpr const char *originalsOption = "with-originals";
 constexpr const char *dccOption = "with-dcc";
+constexpr const char *annexOption = "no-annex";
 
 constexpr auto reportOptions = optionList(
     Option{"o", "OUT.pdf|FOLDER",
@@ -43,6 +44,11 @@ constexpr auto reportOptions = optionList(
     Option{originalsOption, "",
            REPORT_TEXT("report", "the test file inside the PDF keeps the bytes of the instrument files that "
                                  "it was imported from; without it only their names and fingerprints")},
+    Option{
+        annexOption, "",
+        REPORT_TEXT("report",
+                    "only the certificate: verdict, results, conditions, what the text of the edition asks, "
+                    "signatures")},
     Option{dccOption, "",
            REPORT_TEXT("report", "the PDF also carries the results as a digital calibration certificate")},
     Option{
@@ -171,8 +177,12 @@ private:
                                  certified ? dcc(evaluated) : QByteArray());
         });
         auto [testFile, attachments] = carried.get();
-        const ReportOptions stated{QStringLiteral("Palmer " PALMER_VERSION), m_selfTest.get(), originals,
-                                   testFile};
+        const ReportOptions stated{QStringLiteral("Palmer " PALMER_VERSION),
+                                   m_selfTest.get(),
+                                   originals,
+                                   testFile,
+                                   {},
+                                   !m_invocation.has(annexOption)};
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
             const Report report = composeReport(evaluated, Language::fromName(name).value(), stated);

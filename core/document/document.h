@@ -25,7 +25,8 @@ enum class ReportPart {
     findings,
     diagnosis,
     signatures,
-    temperatureCurve
+    temperatureCurve,
+    annex ///< all that is not part of the certificate
 };
 enum class ReportExtra {
     readingMarks,

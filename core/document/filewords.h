@@ -110,9 +110,9 @@ inline constexpr auto fileWords<ReportExtra> = wordsInOrder<ReportExtra>("readin
                                                                          "repetitions", "allReadings",
                                                                          "diagnosis");
 template <>
-inline constexpr auto fileWords<ReportPart> = wordsInOrder<ReportPart>("readings", "targetTable",
-                                                                       "uncertainty", "findings", "diagnosis",
-                                                                       "signatures", "temperatureCurve");
+inline constexpr auto
+    fileWords<ReportPart> = wordsInOrder<ReportPart>("readings", "targetTable", "uncertainty", "findings",
+                                                     "diagnosis", "signatures", "temperatureCurve", "annex");
 template <>
 inline constexpr auto fileWords<AgreementState> = wordsInOrder<AgreementState>("notAgreed", "agreed",
                                                                                "notApplicable");

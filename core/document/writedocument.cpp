@@ -205,6 +205,9 @@ private:
     }
     void look(const Point3 &) {}
     void look(const Permitted &) {}
+    void look(const std::vector<ReportPart> &parts) {
+        need(std::ranges::find(parts, ReportPart::annex) != parts.end(), 3);
+    }
     void look(const std::vector<ReportExtra> &extras) {
         need(std::ranges::find(extras, ReportExtra::diagnosis) != extras.end(), 2);
     }

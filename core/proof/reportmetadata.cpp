@@ -31,6 +31,8 @@ constexpr QLatin1StringView languageName("Language");
 constexpr QLatin1StringView selfTestName("SelfTest");
 constexpr QLatin1StringView simulatedName("Simulated");
 constexpr QLatin1StringView editionName("Edition"); // only if another edition was chosen
+constexpr QLatin1StringView leftOutName("LeftOut"); // only if the annex is
+constexpr QLatin1StringView annexWord("annex");
 
 constexpr QLatin1StringView passed("passed");
 constexpr QLatin1StringView failed("failed");
@@ -53,6 +55,10 @@ constexpr std::array uaProperties{
 };
 constexpr std::array viewProperties{
     OwnProperty{editionName, "Edition that the tests of its kind are evaluated under instead of their own"},
+};
+
+constexpr std::array leftOutProperties{
+    OwnProperty{leftOutName, "Part of the report that was left out"},
 };
 
 QString selfTestWord(std::optional<bool> isPassed) {
@@ -138,6 +144,8 @@ private:
         m_xml.writeTextElement(own, simulatedName, simulatedWords(metadata.making.simulated));
         if (!metadata.making.edition.isEmpty())
             m_xml.writeTextElement(own, editionName, metadata.making.edition);
+        if (!metadata.making.annex)
+            m_xml.writeTextElement(own, leftOutName, annexWord);
         m_xml.writeEndElement();
     }
 
@@ -188,6 +196,8 @@ private:
         describe(ownProperties);
         if (!metadata.making.edition.isEmpty())
             describe(viewProperties);
+        if (!metadata.making.annex)
+            describe(leftOutProperties);
         endBag();
         m_xml.writeEndElement();
         endBag();
@@ -252,8 +262,11 @@ std::optional<ReportMetadata> readXmp(const QByteArray &packet) {
     std::map<QString, QString> &found = *properties;
     const bool complete = std::ranges::all_of(
         ownProperties, [&](const OwnProperty &property) { return found.contains(property.name); });
-    const std::size_t more = found.contains(editionName) ? viewProperties.size() : 0;
-    if (!complete || found.size() != ownProperties.size() + more)
+    const bool isView = found.contains(editionName);
+    result.making.annex = !found.contains(leftOutName);
+    if (!complete || found.size() != ownProperties.size() + isView + !result.making.annex)
+        return std::nullopt;
+    if (!result.making.annex && found[leftOutName] != annexWord)
         return std::nullopt;
     result.making.program = found[programName];
     result.language = found[languageName];
@@ -268,7 +281,7 @@ std::optional<ReportMetadata> readXmp(const QByteArray &packet) {
     if (!simulated)
         return std::nullopt;
     result.making.simulated = *simulated;
-    if (more) {
+    if (isView) {
         result.making.edition = found[editionName];
         if (!findEdition(result.making.edition.toStdString()))
             return std::nullopt;

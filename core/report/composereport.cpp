@@ -24,12 +24,12 @@ std::vector<EvaluatedDocument> viewsOf(const EvaluatedDocument &evaluated) {
 }
 
 std::vector<TestPart> testParts(const EvaluatedDocument &evaluated, const Writer &write,
-                                const std::vector<EvaluatedDocument> &views) {
+                                const std::vector<EvaluatedDocument> &views, bool annex) {
     std::vector<TestPart> parts;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         if (evaluated.tests[i]->edition) // drift tests have no page
             parts.push_back({write, evaluated, *evaluated.document->tests[i], *evaluated.tests[i], i,
-                             static_cast<int>(parts.size()) + 1, 0, &views});
+                             static_cast<int>(parts.size()) + 1, 0, &views, annex});
     }
     for (TestPart &part : parts)
         part.count = static_cast<int>(parts.size());
@@ -59,60 +59,75 @@ void addFirstPage(std::vector<Block> &blocks, const CircularPart &part) {
     addResults(blocks, part);
 }
 
-/// Adds the sections that a report over several tests merges for all of them.
-void addOwnConditions(std::vector<Block> &blocks, const auto &part) {
-    addConditions(blocks, part);
-    addAgreedPoints(blocks, part);
-}
-
-/// Adds the sections that follow the results of a positioning test.
-void addDetails(std::vector<Block> &blocks, const PositioningPart &part) {
-    const bool alone = part.count == 1;
-    if (alone)
-        addOwnConditions(blocks, part);
-    else
-        addTemperatureCurve(blocks, part);
-    addUncertainty(blocks, part, part.measurement.uncertainty.method);
-    addBudget(blocks, part);
-    if (alone) {
-        addFindings(blocks, part);
-        addLimits(blocks, part);
-    }
-    addTargetsAndReadings(blocks, part);
+/// Adds what the readings were corrected by and which have no part in the results.
+void addChanges(std::vector<Block> &blocks, const PositioningPart &part) {
     addExcludedReadings(blocks, part);
     addCorrection(blocks, part);
-    if (!alone) // their lines fill the space that unsplit tables leave
-        addFindings(blocks, part);
-    addImports(blocks, part);
 }
 
-/// Adds the sections that follow the results of a circular test.
-void addDetails(std::vector<Block> &blocks, const CircularPart &part) {
-    const bool alone = part.count == 1;
-    addSeparateFigures(blocks, part);
-    if (alone)
-        addOwnConditions(blocks, part);
-    else
-        addTemperatureCurve(blocks, part);
-    addUncertainty(blocks, part, part.measurement.uncertainty.method);
-    addBudget(blocks, part);
-    addFindings(blocks, part);
-    if (alone)
-        addLimits(blocks, part);
-    if (alone)
+void addChanges(std::vector<Block> &blocks, const CircularPart &part) {
+    if (part.count == 1) // otherwise in one section for all tests
+        addCorrection(blocks, part);
+}
+
+/// Adds the sections of the annex that only a test of this kind has.
+void addData(std::vector<Block> &blocks, const PositioningPart &part) {
+    addTargetsAndReadings(blocks, part);
+}
+
+void addData(std::vector<Block> &blocks, const CircularPart &part) {
+    if (part.count == 1)
         addPaths(blocks, part);
     addCircles(blocks, part);
-    if (alone)
-        addCorrection(blocks, part);
     addRepetitions(blocks, part);
+}
+
+/// Adds what follows the results in the certificate of the only test.
+void addCertificate(std::vector<Block> &blocks, const TestPart &part) {
+    withKind(part, [&](const auto &own) {
+        if constexpr (requires { addSeparateFigures(blocks, own); })
+            addSeparateFigures(blocks, own);
+        addConditions(blocks, own);
+    });
+    addAgreedPoints(blocks, part);
+    addTraceability(blocks, part.write, part.evaluated);
+    addFindings(blocks, part);
+    addRemarks(blocks, part, remarksBeside(part));
+    if (part.annex)
+        return;
+    addLimits(blocks, part);
+    withKind(part, [&](const auto &own) { addChanges(blocks, own); });
+}
+
+/// Adds the sections of a test in the annex.
+void addAnnex(std::vector<Block> &blocks, const TestPart &part) {
+    withKind(part, [&](const auto &own) {
+        if constexpr (requires { addSeparateFigures(blocks, own); }) {
+            if (part.count > 1)
+                addSeparateFigures(blocks, own);
+        }
+        addData(blocks, own);
+        addChanges(blocks, own);
+        if (part.count > 1)
+            addTemperatureCurve(blocks, own);
+    });
+    addBudget(blocks, part);
+    if (part.count == 1) {
+        addLimits(blocks, part);
+        addEditions(blocks, part);
+    }
+    addFurtherFindings(blocks, part);
     addImports(blocks, part);
-    addDiagnosis(blocks, part);
+    withKind(part, [&](const auto &own) {
+        if constexpr (requires { addDiagnosis(blocks, own); })
+            addDiagnosis(blocks, own);
+    });
 }
 
 /// Thins figures to what paper resolves, because a report is copied with its figures.
-void thinFigures(std::vector<Block> &blocks, std::size_t from) {
-    for (std::size_t i = from; i < blocks.size(); ++i) {
-        auto *block = std::get_if<FigureBlock>(&blocks[i]);
+void thinFigures(std::vector<Block> &blocks) {
+    for (Block &each : blocks) {
+        auto *block = std::get_if<FigureBlock>(&each);
         const auto *figure = block ? std::get_if<CurveFigure>(&block->figure) : nullptr;
         if (figure && !isOrdinary(*figure))
             block->figure = thinned(*figure);
@@ -178,21 +193,10 @@ private:
     std::vector<Section> m_sections;
 };
 
-/// Adds the only test with all its sections.
-void addTest(std::vector<Block> &blocks, const TestPart &part) {
-    const std::size_t first = blocks.size();
-    blocks.emplace_back(runningHead(part));
-    withKind(part, [&](const auto &own) {
-        addFirstPage(blocks, own);
-        addDetails(blocks, own);
-    });
-    addEditionsAndRemarks(blocks, part, remarksBeside(part));
-    thinFigures(blocks, first);
-}
-
-/// Adds several tests: the summary, one page per test with its results, the common statements, and then the
-/// details of each test without page breaks.
-void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts, const std::stop_token &stop) {
+/// Adds the certificates of several tests: the summary, one page per test with its results, and the common
+/// statements.
+void addCertificates(std::vector<Block> &blocks, const std::vector<TestPart> &parts,
+                     const std::stop_token &stop) {
     const Writer &write = parts.front().write;
     const ReportHead &head = parts.front().head();
     addSummary(blocks, parts);
@@ -208,34 +212,44 @@ void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts, co
     blocks.emplace_back(PageBreak{});
     blocks.emplace_back(Heading{1, write.text(REPORT_TEXT("report", "All tests"))});
     addConditionsOfTests(blocks, parts);
-    addPathsOfTests(blocks, parts);
     addAgreedPointsOfTests(blocks, parts);
     addLimitsOfTests(blocks, parts);
     addBeforeAndAfter(blocks, parts);
     addRemarksOfTests(blocks, parts);
-    addComparisonsOfTests(blocks, parts);
     addDriftTests(blocks, write, parts.front().evaluated);
     addTraceability(blocks, write, parts.front().evaluated);
+    for (const TestPart &part : parts)
+        addFindings(blocks, part);
+    if (parts.front().annex)
+        return;
+    for (const TestPart &part : parts)
+        withKind(part, [&](const auto &own) { addChanges(blocks, own); });
+}
+
+/// Adds what the annex says of several tests, then each without page breaks.
+void addAnnexes(std::vector<Block> &blocks, const std::vector<TestPart> &parts, const std::stop_token &stop) {
+    const Writer &write = parts.front().write;
+    addPathsOfTests(blocks, parts);
+    addComparisonsOfTests(blocks, parts);
     PrintedSections printed;
     for (const TestPart &part : parts) {
         if (stop.stop_requested())
             return;
         const std::size_t first = blocks.size();
         const RunningHead running = runningHead(part);
-        withKind(part, [&](const auto &own) { addDetails(blocks, own); });
+        addAnnex(blocks, part);
         if (blocks.size() == first)
             continue; // everything was left out
         const std::array<Block, 2> heading{
             running, Heading{1,
                              write.say(REPORT_TEXT("report", "Test %1: %2"),
                                        {std::to_string(part.number), running.right.toStdString()}),
-                             QString::fromStdString(part.test.title), detailsAnchor(part.headAnchor())}};
+                             QString::fromStdString(part.test.title)}};
         blocks.insert(blocks.begin() + static_cast<std::ptrdiff_t>(first), heading.begin(), heading.end());
         printed.leaveOutRepeated(blocks, first, part);
     }
     addStatedComparisons(blocks, parts);
-    thinFigures(blocks, 0);
-    blocks.emplace_back(RunningHead{QString::fromStdString(head.laboratory.name), reportTitle(write, head)});
+    blocks.emplace_back(annexRunningHead(parts));
 }
 
 /// "U+6F22, U+5B57": characters in the report so far that the paper font lacks.
@@ -302,34 +316,56 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
     report.footerRight = write.text(REPORT_TEXT("report", "page %1 / %2"));
 
     const std::vector<EvaluatedDocument> views = viewsOf(evaluated);
-    const std::vector<TestPart> parts = testParts(evaluated, write, views);
-    const bool several = parts.size() > 1;
     const bool hasSheet = !head.sheet.empty();
+    report.making.annex =
+        options.annex &&
+        std::ranges::any_of(evaluated.tests, [](const auto &test) { return test->edition != nullptr; }) &&
+        std::ranges::find(head.leaveOut, ReportPart::annex) == head.leaveOut.end();
+    const std::vector<TestPart> parts = testParts(evaluated, write, views, report.making.annex);
+    const bool several = parts.size() > 1;
+    std::vector<Block> &blocks = report.blocks;
     if (hasSheet) {
-        addSheet(report.blocks, evaluated, parts, write);
+        addSheet(blocks, evaluated, parts, write);
         if (!parts.empty())
-            report.blocks.emplace_back(PageBreak{});
+            blocks.emplace_back(PageBreak{});
     }
-    if (several)
-        addTests(report.blocks, parts, options.stop);
-    else if (!parts.empty())
-        addTest(report.blocks, parts.front());
-    else {
+    if (several) {
+        addCertificates(blocks, parts, options.stop);
+    } else if (!parts.empty()) {
+        blocks.emplace_back(runningHead(parts.front()));
+        withKind(parts.front(), [&](const auto &own) { addFirstPage(blocks, own); });
+        addCertificate(blocks, parts.front());
+    } else {
         if (!hasSheet)
-            report.blocks.emplace_back(driftHead(write, document));
+            blocks.emplace_back(driftHead(write, document));
         if (!head.remarks.empty()) {
-            addHeading(report.blocks, write.text(REPORT_TEXT("report", "Remarks")));
-            report.blocks.emplace_back(Paragraph{QString::fromStdString(head.remarks)});
+            addHeading(blocks, write.text(REPORT_TEXT("report", "Remarks")));
+            blocks.emplace_back(Paragraph{QString::fromStdString(head.remarks)});
         }
+        addTraceability(blocks, write, evaluated);
     }
     if (!several) {
         addDriftTests(report.blocks, write, evaluated);
-        addTraceability(report.blocks, write, evaluated);
     }
     addThermalPages(report.blocks, evaluated, write);
     addStatements(report.blocks, write, document, report.making, report.fingerprint,
                   foreignCharacters(report), several ? 1 : 2);
-    addSignatures(report.blocks, write, head);
+    if (report.making.annex) {
+        const QString anchor = QStringLiteral("annex");
+        blocks.emplace_back(EndMark{
+            write.text(REPORT_TEXT(
+                "report", "End of the certificate. The annex from page %1 on is part of this report.")),
+            anchor});
+        blocks.insert(blocks.end(), {PageBreak{}, annexRunningHead(parts), annexHead(parts, anchor)});
+        several ? addAnnexes(blocks, parts, options.stop) : addAnnex(blocks, parts.front());
+        report.certificatePages = static_cast<int>(2 * parts.size()) + several + hasSheet;
+        addProgram(blocks, write, document, report.making, report.fingerprint, foreignCharacters(report),
+                   several ? 1 : 2);
+    } else if (several) {
+        addStatedComparisons(blocks, parts);
+    }
+    thinFigures(blocks);
+    blocks.emplace_back(EndMark{write.text(REPORT_TEXT("report", "End of the report"))});
     return report;
 }
 

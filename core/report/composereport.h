@@ -18,14 +18,16 @@ struct ReportOptions {
     Originals originals = Originals::leaveOut;
     QByteArray testFile = {};  ///< source file, byte for byte; empty: as the document would be saved
     std::stop_token stop = {}; ///< if stop is requested, the report lacks tests
+    bool annex = true;         ///< false: without the annex, whatever the file says
 };
 
-/// Composes the printed report of a document in one language. For one test: head, verdict, figure, results,
-/// conditions, agreed points, uncertainty, findings, limits, values and readings. An acceptance sheet comes
-/// first, with the verdict on sheet and tests. For several: a summary, a page per test with head, verdict,
-/// figure and results, then the common statements (conditions, agreed points, limits, before and after,
-/// editions), then the remaining sections of each test without page breaks. At the end traceability,
-/// statements (ISO/IEC 17025, 7.8), remarks and signatures. Pure: the same document always gives the same
+/// Composes the printed report of a document in one language: a certificate and an annex. Certificate of one
+/// test: head, verdict, figure, results, conditions, agreed points, instruments, findings of the text,
+/// remarks, statements (ISO/IEC 17025, 7.8) and signatures. An acceptance sheet comes first, with the verdict
+/// on sheet and tests. Of several: a summary, a page per test with head, verdict, figure and results, then
+/// the common statements. Annex, with a head of its own: values and readings, uncertainty, limits, editions
+/// side by side, findings of practice, laboratory and program, of each test without page breaks; at the end
+/// the program. Pure: the same document always gives the same
 /// report, under any locale. Drift tests are listed but have no page. Throws Error like writeDocument(),
 /// since the report contains the fingerprint of its test file.
 [[nodiscard]] Report composeReport(const EvaluatedDocument &evaluated, const Language &language,

@@ -451,13 +451,17 @@ private:
         const QString terminal = printed(composeResults(m_followed.evaluated, language));
         const QString findings = printed(composeFindings(m_followed.evaluated, language));
         const auto &leftOut = document().report.leaveOut;
-        const bool onPage = std::ranges::find(leftOut, ReportPart::findings) == leftOut.end();
+        const auto hasPart = [&](ReportPart part) {
+            return std::ranges::find(leftOut, part) == leftOut.end();
+        };
         for (const TestEvaluationPointer &test : m_followed.evaluated.tests) {
             for (const Finding &finding : test->findings) {
                 const QString said = plain(finding.name.empty() ? language.sentence(finding.message)
                                                                 : findingName(finding, language));
                 for (const auto &[exit, text] : {std::pair{"terminal", &terminal},
                                                  std::pair{"check", &findings}, std::pair{"report", &page}}) {
+                    const bool onPage = hasPart(ReportPart::findings) &&
+                                        (finding.source == Source::text || hasPart(ReportPart::annex));
                     if (text == &page && !onPage)
                         continue;
                     if (!text->contains(said))

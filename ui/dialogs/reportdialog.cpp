@@ -299,6 +299,7 @@ void ReportDialog::addChoices(QVBoxLayout *column) {
             name, text, [which](const ReportHead &head) { return holds(head.signatures, which); },
             [which](ReportHead &head, bool on) { put(head.signatures, which, on); });
     };
+    part("partAnnex", QT_TR_NOOP("Annex"), ReportPart::annex);
     part("partTargetTable", QT_TR_NOOP("Values per target"), ReportPart::targetTable);
     part("partReadings", QT_TR_NOOP("Readings"), ReportPart::readings);
     part("partTemperatureCurve", QT_TR_NOOP("Temperature curve"), ReportPart::temperatureCurve);

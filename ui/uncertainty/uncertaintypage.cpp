@@ -656,9 +656,10 @@ void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
     }
     m_methodNote->setFont(themeFont(TextSize::small));
     const QString coverage = coverageNote(coverageOf(evaluation, evaluated().document->report), language());
-    m_methodNote->setText(evaluation.view      ? tr("a view: see the edition")
-                          : coverage.isEmpty() ? tr("used for the verdict")
-                                               : tr("used for the verdict · %1").arg(coverage));
+    m_methodNote->setText(method == UncertaintyMethod::none ? QString()
+                          : evaluation.view                 ? tr("a view: see the edition")
+                          : coverage.isEmpty()              ? tr("used for the verdict")
+                                                            : tr("used for the verdict · %1").arg(coverage));
     m_typical->setText(tr("Values"));
     m_typical->setToolTip(tr("Take a typical value, with its source"));
     m_typical->setAccessibleName(tr("Typical values with their source"));

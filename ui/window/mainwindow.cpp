@@ -887,6 +887,7 @@ bool MainWindow::mayForget(const QStringList &refused) {
     QMessageBox box(QMessageBox::Question, tr("Close"), tr("Close without what could not be taken?"),
                     QMessageBox::Discard | QMessageBox::Cancel, this);
     box.setObjectName(QStringLiteral("closeBox"));
+    box.button(QMessageBox::Discard)->setText(tr("Close &anyway"));
     box.setDefaultButton(QMessageBox::Cancel);
     box.setInformativeText(notTaken(refused));
     box.button(QMessageBox::Discard)->setText(tr("Close &anyway")); // nothing could be saved

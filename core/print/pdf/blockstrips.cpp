@@ -25,7 +25,6 @@ constexpr double belowTable = 1.8 * mm; ///< between a table and its small print
 constexpr double paragraphGap = 1.6 * mm;
 constexpr double beforeVerdict = 3.8 * mm;
 constexpr double beforeEnd = 8 * mm;
-constexpr double leastFigure = 65 * mm; ///< least readable height
 
 // Head of a test.
 constexpr double logoHeight = 10 * mm;
@@ -619,10 +618,10 @@ private:
     }
 
     static constexpr double gap = 8 * mm;
-    static constexpr double lineHeight = 9 * mm;
-    static constexpr double signatureHeight = 20.1 * mm; ///< 12 mm free below the label
-    static constexpr double signatureLabel = 4.3 * mm;
-    static constexpr double labelAbove = 4.6 * mm; ///< from a label to its rule
+    static constexpr double lineHeight = 7.4 * mm;
+    static constexpr double signatureHeight = 17 * mm; ///< 12 mm free below the label
+    static constexpr double signatureLabel = 1.2 * mm;
+    static constexpr double labelAbove = 4 * mm; ///< from a label to its rule
     static constexpr double labelGap = 2 * mm;
 
     Signatures m_signatures;
@@ -673,27 +672,30 @@ bool isTitle(const Block &block) {
 }
 
 /// Sets the properties of a heading (block i) that depend on the next block.
-void stateOfHeading(Strips &strips, const std::vector<Block> &blocks, std::size_t i, bool titled) {
-    const auto *heading = std::get_if<Heading>(&blocks[i]);
+void stateOfHeading(Strip &strip, const MeasuredBlocks &blocks, std::size_t i, bool titled) {
+    const auto *heading = std::get_if<Heading>(&blocks[i].block);
     if (!heading || i + 1 == blocks.size())
         return;
-    const Block &next = blocks[i + 1];
-    strips.front().title = isTitle(blocks[i]);
-    strips.front().filler = titled && std::holds_alternative<FindingsBlock>(next);
+    const Block &next = blocks[i + 1].block;
+    strip.title = isTitle(blocks[i].block);
+    strip.filler = titled && std::holds_alternative<FindingsBlock>(next);
     if (heading->level == 2 && (beginsSection(next) || isMark(next)))
-        strips.back().withNext = false; // the section is only the heading's note
+        strip.withNext = false; // the section is only the heading's note
 }
 
-/// Keeps the heading of the signatures with up to three strips above it, so that signatures are never alone
-/// on a page.
+/// Keeps the section of the signatures together, of a long one its last strips, so that signatures are never
+/// alone on a page.
 void takeAlong(Strips &above) {
+    constexpr std::size_t mostOfSection = 12;
     constexpr std::size_t most = 3;
     const auto stays = [](const Strip &strip) { return !strip.pageBreak && !strip.running; };
-    std::size_t heading = above.size();
-    while (heading > 0 && above[heading - 1].withNext && stays(above[heading - 1]))
-        --heading;
-    for (std::size_t i = heading; i > 0 && heading - i < most && stays(above[i - 1]); --i)
-        above[i - 1].withNext = true;
+    std::size_t first = above.size();
+    while (first > 0 && stays(above[first - 1]) && (first == above.size() || !above[first].section))
+        --first;
+    if (above.size() - first > mostOfSection)
+        first = above.size() - most;
+    for (std::size_t i = first; i < above.size(); ++i)
+        above[i].withNext = true;
 }
 
 class StripMaker {
@@ -753,7 +755,7 @@ public:
         const double height = figure.height * mm;
         Strip result = strip(height, drawOf(height));
         const auto *circle = std::get_if<CircleFigure>(&figure.figure);
-        const double readable = circle ? std::max(leastFigure, leastHeight(*circle) * mm) : leastFigure;
+        const double readable = std::max(figure.least, circle ? leastHeight(*circle) : 0) * mm;
         result.least = std::min(height, readable);
         result.drawOf = drawOf;
         return {result};
@@ -799,52 +801,73 @@ private:
 
 } // namespace
 
+const Heading *sectionHeading(const Block &block) {
+    const auto *columns = std::get_if<SideBySide>(&block);
+    const Heading *heading =
+        columns ? columns->left.empty() ? nullptr : std::get_if<Heading>(&columns->left.front())
+                : std::get_if<Heading>(&block);
+    return heading && heading->level <= 2 ? heading : nullptr;
+}
+
 bool beginsSection(const Block &block) {
-    const auto isSection = [](const auto *heading) { return heading && heading->level <= 2; };
-    if (const auto *columns = std::get_if<SideBySide>(&block))
-        return !columns->left.empty() && isSection(std::get_if<Heading>(&columns->left.front()));
-    return isSection(std::get_if<Heading>(&block));
+    return sectionHeading(block) != nullptr;
 }
 
 bool isMark(const Block &block) {
     return std::holds_alternative<RunningHead>(block) || std::holds_alternative<PageBreak>(block);
 }
 
-Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest,
-                   const std::stop_token &stop) {
+Strips measured(const Block &block, double width, double tallest) {
+    Strips result = std::visit(StripMaker(width, tallest), block);
+    for (Strip &strip : result) { // cheap to copy
+        if (strip.draw)
+            strip.draw = [draw = std::make_shared<const decltype(strip.draw)>(std::move(strip.draw))](
+                             QPainter &painter, QPointF at) { (*draw)(painter, at); };
+    }
+    return result;
+}
+
+Strips joined(const MeasuredBlocks &blocks) {
     Strips result;
-    const StripMaker maker(width, tallest);
     const Block *above = nullptr;
     bool titled = false; // below the title of a test among several
-    for (std::size_t i = 0; i < blocks.size() && !stop.stop_requested(); ++i) {
-        const Block &block = blocks[i];
-        Strips strips = std::visit(maker, block);
-        if (strips.empty())
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const Block &block = blocks[i].block;
+        if (blocks[i].strips.empty())
             continue;
         if (std::holds_alternative<Signatures>(block))
             takeAlong(result);
+        if (above && !isMark(block) && staysBelow(block) && !result.empty())
+            result.back().withNext = true;
+        const std::size_t first = result.size();
+        result.insert(result.end(), blocks[i].strips.begin(), blocks[i].strips.end());
+        Strip &begins = result[first];
         if (!isMark(block)) {
-            if (above && staysBelow(block) && !result.empty())
-                result.back().withNext = true;
-            strips.front().gap = above ? gapBetween(*above, block) : 0;
-            strips.front().block = static_cast<int>(i);
-            strips.front().section = beginsSection(block);
+            begins.gap = above ? gapBetween(*above, block) : 0;
+            begins.block = static_cast<int>(i);
+            begins.section = beginsSection(block);
+            begins.smallPrint = std::holds_alternative<Paragraph>(block) && staysBelow(block);
             if (const auto *table = std::get_if<Table>(&block))
-                strips.back().whole = table->unbroken;
+                result.back().whole = table->unbroken;
             titled = titled || isTitle(block);
-            stateOfHeading(strips, blocks, i, titled);
+            stateOfHeading(begins, blocks, i, titled);
             above = &block;
         } else if (std::holds_alternative<PageBreak>(block)) {
             // A head needs its own page; other parts may follow results that were moved to this page.
-            const auto *next = i + 1 < blocks.size() ? std::get_if<Heading>(&blocks[i + 1]) : nullptr;
-            strips.front().soft = next && next->level == 1;
-            if (!strips.front().soft)
+            const auto *next = i + 1 < blocks.size() ? std::get_if<Heading>(&blocks[i + 1].block) : nullptr;
+            begins.soft = next && next->level == 1;
+            if (!begins.soft)
                 above = nullptr;
         }
-        result.insert(result.end(), std::make_move_iterator(strips.begin()),
-                      std::make_move_iterator(strips.end()));
     }
     return result;
+}
+
+Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest) {
+    MeasuredBlocks all;
+    for (const Block &block : blocks)
+        all.push_back({block, measured(block, width, tallest)});
+    return joined(all);
 }
 
 } // namespace palmer

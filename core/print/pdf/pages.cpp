@@ -27,10 +27,11 @@ constexpr double runningRule = 1.45 * mm; ///< below its text
 constexpr double belowRunningHead = 6 * mm;
 /// Gaps from this size on may shrink to this fraction to keep the results on the first page.
 constexpr double smallestToNarrow = 1.5 * mm;
-constexpr double narrowest = 0.5;
+constexpr double narrowest = 0.4;
 constexpr double leastOnFurtherPages = 0.8; ///< fraction of its height
 constexpr double roundingRoom = 0.01;
 constexpr double largestGap = 8.5 * mm; ///< if the page has space
+constexpr double leastFill = 0.45;      ///< of the last page before a break, if something can be moved there
 constexpr double sectionRoom = 25 * mm; ///< minimum below the top of a section
 
 constexpr TextStyle runningStyle{7.5, false, noteGrey, 1.2};
@@ -75,7 +76,7 @@ public:
             } else if (strips[i].pageBreak) {
                 const bool goesOn = strips[i].soft && m_page.running;
                 if (!m_page.strips.empty() && !goesOn)
-                    turnPage();
+                    endPart();
                 ++i;
             } else if (strips[i].running) {
                 m_running = strips[i].running;
@@ -90,7 +91,7 @@ public:
             }
         }
         if (!m_page.strips.empty() || m_pages.empty())
-            turnPage();
+            endPart();
     }
 
     [[nodiscard]] const std::vector<PageStrips> &pages() const { return m_pages; }
@@ -162,8 +163,17 @@ private:
         if (strips[from].section)
             height = std::max(height, strips[from].gap + sectionRoom);
         if (!m_page.strips.empty() && height > room() && !narrowGaps(strips, from, end, height - room()) &&
-            !lowerFigure(strips, from, end, height - room()))
+            !lowerFigure(strips, from, end, height - room())) {
+            const std::size_t last = lastBlock(strips, from, end);
+            const double missing = needed(strips, from, last) - room();
+            if (last > from && (missing <= 0 || narrowGaps(strips, from, last, missing))) {
+                std::for_each(strips.begin() + static_cast<std::ptrdiff_t>(from),
+                              strips.begin() + static_cast<std::ptrdiff_t>(last),
+                              [this](const Strip &strip) { place(strip); });
+                from = last;
+            }
             turnPage();
+        }
         if (m_narrowing < 1 || m_lowering > 0 || needed(strips, from, end) <= room()) {
             for (std::size_t i = from; i < end; ++i)
                 place(strips[i]);
@@ -226,6 +236,17 @@ private:
         return false;
     }
 
+    /// Beginning of the small print at the end of a chain of results, which may stand on the next page;
+    /// `from` if there is none.
+    static std::size_t lastBlock(const Strips &strips, std::size_t from, std::size_t end) {
+        std::size_t last = end - 1;
+        while (last > from && strips[last].block < 0)
+            --last;
+        const auto at = [&](std::size_t i) { return strips.begin() + static_cast<std::ptrdiff_t>(i); };
+        return strips[last].smallPrint && std::any_of(at(from), at(last), std::mem_fn(&Strip::whole)) ? last
+                                                                                                      : from;
+    }
+
     [[nodiscard]] double narrowed(double gap) const {
         return gap < smallestToNarrow ? gap : m_narrowing * gap;
     }
@@ -243,6 +264,47 @@ private:
         }
     }
 
+    /// Turns the page before a page break.
+    void endPart() {
+        turnPage();
+        if (m_pages.size() - m_part > 1)
+            fillLast(m_pages[m_pages.size() - 2], m_pages.back());
+        m_part = m_pages.size();
+    }
+
+    /// If the last page of a part is emptier than it may be, moves the end of the page before to it:
+    /// preferably sections, otherwise what may stand at the top of a page, but no results from the page of a
+    /// head.
+    void fillLast(PageStrips &before, PageStrips &last) const {
+        const auto least = [this](const PageStrips &page) { return leastFill * (m_bottom - page.top()); };
+        if (last.used() >= least(last))
+            return;
+        const bool repeatsHead =
+            last.strips.size() > 1 && last.strips[1].head && last.strips[1].head == before.strips.back().head;
+        for (const bool sections : {true, false}) {
+            for (std::size_t i = before.strips.size(); i-- > 1;) {
+                if (before.strips[i].whole && !before.running)
+                    break;
+                if (before.strips[i - 1].withNext || (sections && !before.strips[i].section))
+                    continue;
+                const auto from = before.strips.begin() + static_cast<std::ptrdiff_t>(i);
+                const PageStrips kept{before.running, {before.strips.begin(), from}};
+                PageStrips moved{last.running, {from, before.strips.end()}};
+                if (from->head)
+                    moved.strips.insert(moved.strips.begin(), *from->head);
+                moved.strips.insert(moved.strips.end(), last.strips.begin() + (repeatsHead ? 1 : 0),
+                                    last.strips.end());
+                if (moved.used() > m_bottom - moved.top() || kept.used() < least(kept))
+                    break;
+                if (moved.used() < least(moved))
+                    continue;
+                before = kept;
+                last = moved;
+                return;
+            }
+        }
+    }
+
     void turnPage() {
         m_pages.push_back(std::move(m_page));
         m_page = {};
@@ -252,6 +314,7 @@ private:
 
     double m_bottom;
     std::vector<PageStrips> m_pages;
+    std::size_t m_part = 0; ///< first page since a page break
     PageStrips m_page;
     std::optional<RunningHead> m_running;
     double m_narrowing = 1;    ///< factor for the larger gaps of this page
@@ -318,7 +381,7 @@ private:
         const Block &block = m_report.blocks[index];
         if (const auto *head = std::get_if<TestHead>(&block))
             page.bookmarks.push_back(
-                {0, head->subtitle.isEmpty() ? head->title : head->subtitle, y, head->anchor});
+                {0, head->subtitle.isEmpty() || head->annex ? head->title : head->subtitle, y, head->anchor});
         else if (const auto *heading = std::get_if<Heading>(&block); heading && heading->level <= 2)
             page.bookmarks.push_back(
                 {m_inTest[index] && heading->level > 1 ? 1 : 0, heading->text, y, heading->anchor});
@@ -377,14 +440,6 @@ private:
     double m_width;
 };
 
-Flow flowOf(const std::vector<Block> &blocks, QSizeF size, const std::stop_token &stop) {
-    const double bottom = size.height() - bottomMargin;
-    Flow flow(bottom);
-    flow.fill(blockStrips(blocks, size.width() - leftMargin - rightMargin,
-                          bottom - topMargin - runningHeadHeight(), stop));
-    return flow;
-}
-
 /// Calls `visit` with each strip, the block it belongs to, and its page, counted from 1.
 void eachStrip(const Flow &flow, const auto &visit) {
     std::size_t block = 0;
@@ -409,53 +464,62 @@ std::vector<int> pagesOfBlocks(const Flow &flow, std::size_t count) {
     return result;
 }
 
-std::map<QString, int> anchorPages(const Flow &flow, const std::vector<Block> &blocks) {
+std::map<QString, int> anchorPages(const Flow &flow, const MeasuredBlocks &blocks) {
     std::map<QString, int> result;
     eachStrip(flow, [&](const Strip &strip, std::size_t block, int page) {
-        const QString anchor = strip.block < 0 ? QString() : anchorOf(blocks[block]);
+        const QString anchor = strip.block < 0 ? QString() : anchorOf(blocks[block].block);
         if (!anchor.isEmpty())
             result.emplace(anchor, page);
     });
     return result;
 }
 
+auto placeOf(MeasuredBlocks &blocks, std::size_t i) {
+    return blocks.begin() + static_cast<std::ptrdiff_t>(i);
+}
+
+template <class T>
+const T *asA(const MeasuredBlock &block) {
+    return std::get_if<T>(&block.block);
+}
+
+/// End of the section that begins at `first`.
+std::size_t endOfSection(const MeasuredBlocks &blocks, std::size_t first) {
+    std::size_t end = first + 1;
+    while (end < blocks.size() && !isMark(blocks[end].block) && !beginsSection(blocks[end].block))
+        ++end;
+    return end;
+}
+
 /// If the figure of a test does not fit on the page of its head, below the verdict, moves the (possibly
 /// lower) results there. Returns true if blocks were moved.
-bool moveResults(std::vector<Block> &blocks, const std::vector<int> &pages, std::size_t head) {
+bool moveResults(MeasuredBlocks &blocks, const std::vector<int> &pages, std::size_t head) {
     const std::size_t figure = head + 2;
-    const auto ends = [&](std::size_t i) {
-        return i >= blocks.size() || isMark(blocks[i]) || beginsSection(blocks[i]);
-    };
     std::size_t results = figure; // a heading followed by a table
-    while (results + 1 < blocks.size() && !isMark(blocks[results]) &&
-           !(std::holds_alternative<Heading>(blocks[results]) &&
-             std::holds_alternative<Table>(blocks[results + 1])))
+    while (results + 1 < blocks.size() && !isMark(blocks[results].block) &&
+           !(asA<Heading>(blocks[results]) && asA<Table>(blocks[results + 1])))
         ++results;
-    if (results + 1 >= blocks.size() || isMark(blocks[results]) || results == figure ||
+    if (results + 1 >= blocks.size() || isMark(blocks[results].block) || results == figure ||
         pages[figure] == pages[head])
         return false;
-    std::size_t end = results + 1;
-    while (!ends(end))
-        ++end;
-    const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::rotate(at(figure), at(results), at(end));
+    std::rotate(placeOf(blocks, figure), placeOf(blocks, results),
+                placeOf(blocks, endOfSection(blocks, results)));
     return true;
 }
 
 /// Does so for each test. Returns true if blocks were moved.
-bool moveAllResults(std::vector<Block> &blocks, const Flow &flow) {
+bool moveAllResults(MeasuredBlocks &blocks, const Flow &flow) {
     const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
     bool moved = false;
     for (std::size_t head = 0; head + 2 < blocks.size(); ++head) {
-        if (std::holds_alternative<TestHead>(blocks[head]) &&
-            std::holds_alternative<VerdictLine>(blocks[head + 1]))
+        if (asA<TestHead>(blocks[head]) && asA<VerdictLine>(blocks[head + 1]))
             moved |= moveResults(blocks, pages, head);
     }
     return moved;
 }
 
 /// Sorts the blocks in page order. Returns true if that changes their order.
-bool followPages(std::vector<Block> &blocks, const Flow &flow) {
+bool followPages(MeasuredBlocks &blocks, const Flow &flow) {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> places(blocks.size(), none);
     std::size_t place = 0;
@@ -473,7 +537,7 @@ bool followPages(std::vector<Block> &blocks, const Flow &flow) {
     std::vector<std::size_t> order(blocks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places[i]; });
-    std::vector<Block> result;
+    MeasuredBlocks result;
     result.reserve(blocks.size());
     for (const std::size_t i : order)
         result.push_back(std::move(blocks[i]));
@@ -491,17 +555,18 @@ std::vector<double> heightsOfBlocks(const Flow &flow, std::size_t count) {
     return result;
 }
 
-/// End of the sections from `first` on that fit completely at the end of a page.
-std::size_t endOfWhatFits(const std::vector<Block> &blocks, std::size_t first,
-                          const std::vector<double> &heights, const PageStrips &page, double bottom) {
+/// End of the sections from `first` on that fit completely at the end of a page, at most `most` of them.
+std::size_t endOfWhatFits(const MeasuredBlocks &blocks, std::size_t first, const std::vector<double> &heights,
+                          const PageStrips &page, double bottom,
+                          std::size_t most = std::numeric_limits<std::size_t>::max()) {
     double room = bottom - page.top() - page.used() - roundingRoom;
     std::size_t taken = first;
-    while (taken < blocks.size() && beginsSection(blocks[taken])) {
-        double height = heights[taken];
-        std::size_t next = taken + 1;
-        for (; next < blocks.size() && !beginsSection(blocks[next]) && !isMark(blocks[next]); ++next)
-            height += heights[next];
-        const auto *heading = std::get_if<Heading>(&blocks[taken]);
+    for (std::size_t count = 0; count < most && taken < blocks.size() && beginsSection(blocks[taken].block);
+         ++count) {
+        const std::size_t next = endOfSection(blocks, taken);
+        const double height = std::accumulate(heights.begin() + static_cast<std::ptrdiff_t>(taken),
+                                              heights.begin() + static_cast<std::ptrdiff_t>(next), 0.0);
+        const auto *heading = asA<Heading>(blocks[taken]);
         if ((heading && heading->level == 1) || std::max(height, sectionGap + sectionRoom) > room)
             break;
         room -= height;
@@ -511,112 +576,224 @@ std::size_t endOfWhatFits(const std::vector<Block> &blocks, std::size_t first,
 }
 
 /// Fills the page of the summary of all tests with as many sections as fit completely, from the first with an
-/// anchor on.
-void fillSummary(std::vector<Block> &blocks, const Flow &flow, double bottom) {
-    const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
+/// anchor on. Returns true if blocks were moved.
+bool fillSummary(MeasuredBlocks &blocks, const Flow &flow, double bottom) {
     const auto indexOf = [&](auto found) { return static_cast<std::size_t>(found - blocks.begin()); };
-    const auto isSummary = [](const Block &block) {
-        const auto *verdict = std::get_if<VerdictLine>(&block);
+    const auto isSummary = [](const MeasuredBlock &block) {
+        const auto *verdict = asA<VerdictLine>(block);
         return verdict && verdict->large;
     };
-    const auto isTitle = [](const Block &block) {
-        const auto *heading = std::get_if<Heading>(&block);
+    const auto isTitle = [](const MeasuredBlock &block) {
+        const auto *heading = asA<Heading>(block);
         return heading && heading->level == 1;
     };
     const auto end =
         std::find_if(std::ranges::find_if(blocks, isSummary), blocks.end(),
-                     [](const Block &block) { return std::holds_alternative<PageBreak>(block); });
+                     [](const MeasuredBlock &block) { return asA<PageBreak>(block) != nullptr; });
     const std::size_t behind = indexOf(end);
     const auto title = std::find_if(end, blocks.end(), isTitle);
-    const std::size_t first = indexOf(std::find_if(title, blocks.end(), [&](const Block &block) {
-        const auto *heading = std::get_if<Heading>(&block);
-        return heading && heading->level == 2 && !heading->anchor.isEmpty();
+    const std::size_t first = indexOf(std::find_if(title, blocks.end(), [&](const MeasuredBlock &block) {
+        const auto *heading = asA<Heading>(block);
+        return heading && heading->level == 2 && heading->anchor == QLatin1StringView("limits");
     }));
-    if (first >= blocks.size() || std::find_if(title + 1, at(first), isTitle) != at(first))
-        return;
+    if (first >= blocks.size() ||
+        std::find_if(title + 1, placeOf(blocks, first), isTitle) != placeOf(blocks, first))
+        return false;
     const int page = pagesOfBlocks(flow, blocks.size())[behind - 1];
     if (page == 0)
-        return;
+        return false;
     const std::size_t taken = endOfWhatFits(blocks, first, heightsOfBlocks(flow, blocks.size()),
                                             flow.pages()[static_cast<std::size_t>(page) - 1], bottom);
-    if (taken < blocks.size()) // something remains behind the break
-        std::rotate(at(behind), at(first), at(taken));
+    if (taken == first || taken >= blocks.size()) // something remains behind the break
+        return false;
+    std::rotate(placeOf(blocks, behind), placeOf(blocks, first), placeOf(blocks, taken));
+    return true;
 }
 
-/// If the results of one of several tests continue after the page of its head, fills that page with as many
-/// of its later sections as fit completely. Returns true if blocks were moved.
-bool fillResults(std::vector<Block> &blocks, const Flow &flow, double bottom) {
-    const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
+/// If the results of one of several tests continue after the page of its head, fills that page with its
+/// findings if they fit completely. Returns true if blocks were moved.
+bool fillResults(MeasuredBlocks &blocks, const Flow &flow, double bottom) {
     const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
     const std::vector<double> heights = heightsOfBlocks(flow, blocks.size());
-    for (std::size_t head = 0; head < blocks.size(); ++head) {
-        if (!std::holds_alternative<TestHead>(blocks[head]) || anchorOf(blocks[head]).isEmpty())
+    for (std::size_t head = 0; head + 1 < blocks.size(); ++head) {
+        const auto *verdict = asA<VerdictLine>(blocks[head + 1]);
+        if (!asA<TestHead>(blocks[head]) || !verdict || verdict->anchor.isEmpty())
             continue;
         std::size_t behind = head + 1;
-        while (behind < blocks.size() && !isMark(blocks[behind]))
+        while (behind < blocks.size() && !isMark(blocks[behind].block))
             ++behind;
         const int page = pages[behind - 1];
-        const QString anchor = detailsAnchor(anchorOf(blocks[head]));
-        const auto title = std::find_if(at(behind), blocks.end(),
-                                        [&](const Block &block) { return anchorOf(block) == anchor; });
-        if (page <= pages[head] || title == blocks.end())
+        std::size_t first = behind;
+        while (first < blocks.size() && anchorOf(blocks[first].block) != verdict->anchor)
+            ++first;
+        if (page <= pages[head] || first >= blocks.size())
             continue;
-        const auto first = static_cast<std::size_t>(title - blocks.begin()) + 1;
-        const std::size_t taken =
-            endOfWhatFits(blocks, first, heights, flow.pages()[static_cast<std::size_t>(page) - 1], bottom);
+        const std::size_t taken = endOfWhatFits(blocks, first, heights,
+                                                flow.pages()[static_cast<std::size_t>(page) - 1], bottom, 1);
         if (taken == first)
             continue;
-        const bool all = taken >= blocks.size() || isMark(blocks[taken]);
-        std::rotate(at(behind), at(first), at(taken));
-        if (all) // its title and running head would be empty
-            blocks.erase(at(taken - 2), at(taken));
+        std::rotate(placeOf(blocks, behind), placeOf(blocks, first), placeOf(blocks, taken));
         return true;
     }
     return false;
 }
 
-/// A report after layout: blocks in page order, with page numbers filled in.
-struct Layout {
-    Report report;
-    Flow flow;
-};
-
-Layout layoutOf(const Report &report, QSizeF size, const std::stop_token &stop = {}) {
-    Layout result{report, flowOf(report.blocks, size, stop)};
-    Report arranged = report;
-    fillSummary(arranged.blocks, result.flow, size.height() - bottomMargin);
-    if (arranged.blocks != report.blocks)
-        result = {arranged, flowOf(arranged.blocks, size, stop)};
-    std::map<QString, int> numbers;
-    // Page numbers in the text and moved results may move what follows them.
-    constexpr int attempts = 8;
-    for (int i = 0; i < attempts && !stop.stop_requested(); ++i) {
-        bool moved = followPages(arranged.blocks, result.flow);
-        if (!moved)
-            moved = moveAllResults(arranged.blocks, result.flow);
-        if (!moved)
-            moved = fillResults(arranged.blocks, result.flow, size.height() - bottomMargin);
-        std::map<QString, int> found = anchorPages(result.flow, result.report.blocks);
-        if (!moved && found == numbers)
-            break;
-        numbers = std::move(found);
-        result.report = withPages(arranged, numbers);
-        result.flow = flowOf(result.report.blocks, size, stop);
-    }
-    return result;
+bool isAnnex(const MeasuredBlock &block) {
+    const auto *head = asA<TestHead>(block);
+    return head && head->annex;
 }
+
+int pagesBeforeAnnex(const MeasuredBlocks &blocks, const Flow &flow) {
+    const auto head = static_cast<std::size_t>(std::ranges::find_if(blocks, isAnnex) - blocks.begin());
+    return head < blocks.size() ? pagesOfBlocks(flow, blocks.size())[head] - 1 : 0;
+}
+
+/// Moves the last section that may go to the annex below its head. Returns true if there was one.
+bool moveToAnnex(MeasuredBlocks &blocks) {
+    const auto head = static_cast<std::size_t>(std::ranges::find_if(blocks, isAnnex) - blocks.begin());
+    for (std::size_t i = head; i-- > 0;) {
+        const Heading *heading = sectionHeading(blocks[i].block);
+        if (!heading || !heading->annexFirst)
+            continue;
+        std::rotate(placeOf(blocks, i), placeOf(blocks, endOfSection(blocks, i)), placeOf(blocks, head + 1));
+        return true;
+    }
+    return false;
+}
+
+/// A report on its pages. Text is measured at most twice: all of it once, with the widest page numbers; what
+/// names a page again with its number, in the height it had.
+class Layout {
+public:
+    Layout(const Report &report, QSizeF size, const std::stop_token &stop = {})
+        : m_report(report)
+        , m_width(size.width() - leftMargin - rightMargin)
+        , m_bottom(size.height() - bottomMargin)
+        , m_flow(m_bottom) {
+        std::map<QString, int> widest;
+        constexpr int widestNumber = 888;
+        for (const Block &block : report.blocks) {
+            if (const QString anchor = anchorOf(block); !anchor.isEmpty())
+                widest.emplace(anchor, widestNumber);
+        }
+        for (const Block &block : report.blocks) {
+            if (stop.stop_requested())
+                break;
+            m_blocks.push_back({block, stripsOf(block, widest)});
+        }
+        arrange();
+        squeezeEnds();
+        putNumbers();
+        m_report.blocks.clear();
+        for (MeasuredBlock &each : m_blocks)
+            m_report.blocks.push_back(std::move(each.block));
+    }
+
+    [[nodiscard]] const Report &report() const { return m_report; }
+    [[nodiscard]] const std::vector<PageStrips> &pages() const { return m_flow.pages(); }
+
+private:
+    [[nodiscard]] Strips stripsOf(Block block, const std::map<QString, int> &pages) const {
+        putPages(block, pages);
+        return measured(block, m_width, m_bottom - topMargin - runningHeadHeight());
+    }
+
+    void flow() {
+        Strips strips = joined(m_blocks);
+        double narrowing = m_narrowing;
+        for (Strip &strip : strips) {
+            if (strip.block >= 0 && isAnnex(m_blocks[static_cast<std::size_t>(strip.block)]))
+                narrowing = m_narrowingOfAnnex;
+            strip.gap *= strip.gap < smallestToNarrow ? 1 : narrowing;
+        }
+        m_flow = Flow(m_bottom);
+        m_flow.fill(strips);
+    }
+
+    /// Moves blocks to where they find room; each move may move what follows.
+    void arrange() {
+        flow();
+        if (fillSummary(m_blocks, m_flow, m_bottom))
+            flow();
+        constexpr int mostMoves = 40;
+        for (int i = 0; i < mostMoves; ++i) {
+            if (!followPages(m_blocks, m_flow) && !moveAllResults(m_blocks, m_flow) &&
+                !fillResults(m_blocks, m_flow, m_bottom) && !shorten())
+                return;
+            flow();
+        }
+    }
+
+    /// If the certificate has too many pages: narrower gaps, then sections to the annex; if that is not
+    /// enough, wide gaps again. Returns true if anything changed.
+    bool shorten() {
+        if (m_report.certificatePages == 0 ||
+            pagesBeforeAnnex(m_blocks, m_flow) <= m_report.certificatePages || m_tooLong)
+            return false;
+        if (m_narrowing == 1)
+            m_narrowing = narrowest;
+        else if (!moveToAnnex(m_blocks)) {
+            m_narrowing = 1;
+            m_tooLong = true;
+        }
+        return true;
+    }
+
+    /// Where the last page of the certificate or of the annex stays too empty, narrower gaps if that takes it
+    /// away.
+    void squeezeEnds() {
+        const auto squeeze = [&](double &narrowing, std::size_t last) {
+            const std::vector<PageStrips> &pages = m_flow.pages();
+            if (narrowing < 1 || last == 0 || last >= pages.size() ||
+                pages[last].used() >= leastFill * (m_bottom - pages[last].top()))
+                return;
+            const std::size_t before = pages.size();
+            narrowing = narrowest;
+            flow();
+            if (m_flow.pages().size() < before)
+                return;
+            narrowing = 1;
+            flow();
+        };
+        squeeze(m_narrowingOfAnnex, m_flow.pages().size() - 1);
+        const auto certificate = static_cast<std::size_t>(pagesBeforeAnnex(m_blocks, m_flow));
+        squeeze(m_narrowing, certificate > 0 ? certificate - 1 : m_flow.pages().size() - 1);
+    }
+
+    void putNumbers() {
+        const std::map<QString, int> numbers = anchorPages(m_flow, m_blocks);
+        for (MeasuredBlock &each : m_blocks) {
+            if (!putPages(each.block, numbers))
+                continue;
+            Strips strips = stripsOf(each.block, numbers);
+            for (std::size_t i = 0; i < std::min(strips.size(), each.strips.size()); ++i)
+                strips[i].height = each.strips[i].height;
+            each.strips = std::move(strips);
+        }
+        flow();
+    }
+
+    Report m_report;
+    double m_width;
+    double m_bottom;
+    MeasuredBlocks m_blocks;
+    Flow m_flow;
+    double m_narrowing = 1; ///< factor for the larger gaps of the certificate
+    double m_narrowingOfAnnex = 1;
+    bool m_tooLong = false; ///< whatever is done
+};
 
 } // namespace
 
 Report arrangedForPages(const Report &report) {
-    return layoutOf(report, sizeOf(report.paper)).report;
+    return Layout(report, sizeOf(report.paper)).report();
 }
 
 Pages layoutPages(const Report &report, const std::stop_token &stop) {
     const QSizeF size = sizeOf(report.paper);
-    const Layout layout = layoutOf(report, size, stop);
-    const PageMaker maker(layout.report, size);
-    const std::vector<PageStrips> &filled = layout.flow.pages();
+    const Layout layout(report, size, stop);
+    const PageMaker maker(layout.report(), size);
+    const std::vector<PageStrips> &filled = layout.pages();
     Pages pages;
     for (std::size_t i = 0; i < filled.size(); ++i) {
         const bool last = i + 1 == filled.size();

@@ -9,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stop_token>
 
 namespace palmer {
 
@@ -29,7 +28,8 @@ struct Strip {
     bool title = false;   ///< title of a test: precedes its first section
     bool filler = false;  ///< begins a section that may be moved forward in its test to fill a page
     bool whole = false;   ///< end of a table that is not split: gaps on the page of a head may shrink for it
-    double least = 0;     ///< least height of a figure
+    bool smallPrint = false; ///< begins a paragraph in small print
+    double least = 0;        ///< least height of a figure
     std::function<std::function<void(QPainter &, QPointF)>(double height)>
         drawOf;                         ///< figure: returns `draw` for a height
     bool withNext = false;              ///< never the last strip of a page
@@ -47,10 +47,25 @@ constexpr double sectionGap = 6 * mm; ///< usual gap above a section
 using Strips = std::vector<Strip>;
 
 /// Converts all blocks to strips, in order, with the gaps between them. `width`: of the text, points;
-/// `tallest`: height of an empty page. Running heads are strips without height. Ends early if stop is
-/// requested.
-[[nodiscard]] Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest,
-                                 const std::stop_token &stop = {});
+/// `tallest`: height of an empty page. Running heads are strips without height.
+[[nodiscard]] Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest);
+
+/// A block with its strips, which do not depend on its neighbours: blocks can be moved without measuring them
+/// again.
+struct MeasuredBlock {
+    Block block;
+    Strips strips;
+};
+using MeasuredBlocks = std::vector<MeasuredBlock>;
+
+/// The strips of one block, without what depends on its neighbours.
+[[nodiscard]] Strips measured(const Block &block, double width, double tallest);
+
+/// The strips of all blocks with the gaps between them.
+[[nodiscard]] Strips joined(const MeasuredBlocks &blocks);
+
+/// The heading of the section that the block begins; null if it begins none.
+[[nodiscard]] const Heading *sectionHeading(const Block &block);
 
 /// True if the block begins a section.
 [[nodiscard]] bool beginsSection(const Block &block);

@@ -318,9 +318,13 @@ std::optional<OpenedReport> openReport(const QByteArray &pdf, int threads, const
 Verification verifyReport(const OpenedReport &report) {
     const ReportMetadata &metadata = report.parts.metadata;
     const Language language = Language::fromName(metadata.language).value_or(Language(Language::Id::english));
-    const Report composed =
-        composeReport(report.evaluated, language,
-                      {metadata.making.program, metadata.making.selfTestPassed, {}, report.parts.testFile});
+    const Report composed = composeReport(report.evaluated, language,
+                                          {metadata.making.program,
+                                           metadata.making.selfTestPassed,
+                                           {},
+                                           report.parts.testFile,
+                                           {},
+                                           metadata.making.annex});
     const QByteArray results = attachedResults(report.evaluated);
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);

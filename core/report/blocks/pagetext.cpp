@@ -82,7 +82,9 @@ public:
     }
     void operator()(const RunningHead &) {}
     void operator()(const PageBreak &) {}
-    void operator()(const EndMark &mark) { line(mark.text); }
+    void operator()(const EndMark &mark) {
+        line(QString(mark.text).replace(QLatin1String("%1"), QString(dash)));
+    }
 
     [[nodiscard]] QString take() { return std::move(m_text); }
 

@@ -56,13 +56,9 @@ QString anchorOf(const Block &block) {
     return heading ? heading->anchor : QString();
 }
 
-QString detailsAnchor(const QString &head) {
-    return head + QStringLiteral("-details");
-}
-
 namespace {
 
-void putPages(Table &table, const std::map<QString, int> &pages) {
+void putPagesOf(Table &table, const std::map<QString, int> &pages) {
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
         if (!table.columns[column].pages)
             continue;
@@ -76,19 +72,22 @@ void putPages(Table &table, const std::map<QString, int> &pages) {
 
 } // namespace
 
-Report withPages(Report report, const std::map<QString, int> &pages) {
-    for (Block &block : report.blocks) {
-        if (auto *table = std::get_if<Table>(&block))
-            putPages(*table, pages);
-        auto *line = std::get_if<VerdictLine>(&block);
-        if (!line || line->anchor.isEmpty())
-            continue;
-        const auto found = pages.find(line->anchor);
+bool putPages(Block &block, const std::map<QString, int> &pages) {
+    const auto pageOf = [&](const QString &anchor) {
+        const auto found = pages.find(anchor);
+        return found == pages.end() ? QStringLiteral("–") : QString::number(found->second);
+    };
+    if (auto *table = std::get_if<Table>(&block))
+        putPagesOf(*table, pages);
+    if (auto *mark = std::get_if<EndMark>(&block))
+        mark->text.replace(QLatin1String("%1"), pageOf(mark->anchor));
+    auto *line = std::get_if<VerdictLine>(&block);
+    if (line && !line->anchor.isEmpty()) {
         for (Span &span : line->accordance.text.spans)
-            span.text.replace(QLatin1String("%1"),
-                              found == pages.end() ? QStringLiteral("–") : QString::number(found->second));
+            span.text.replace(QLatin1String("%1"), pageOf(line->anchor));
     }
-    return report;
+    const auto *table = std::get_if<Table>(&block);
+    return line || std::holds_alternative<EndMark>(block) || (table && !table->links.empty());
 }
 
 } // namespace palmer

@@ -124,8 +124,9 @@ struct Cell {
 struct Heading {
     int level = 2;
     QString text;
-    Phrase note = {};    ///< small and regular on the same line
-    QString anchor = {}; ///< target of `VerdictLine::anchor`
+    Phrase note = {};        ///< small and regular on the same line
+    QString anchor = {};     ///< target of `VerdictLine::anchor`
+    bool annexFirst = false; ///< its section goes to the annex if the certificate is too long otherwise
 
     bool operator==(const Heading &) const = default;
 };
@@ -210,6 +211,7 @@ struct FigureBlock {
     Figure figure;
     double width = 175;
     double height = 86;
+    double least = 65; ///< height that it may shrink to
 
     bool operator==(const FigureBlock &) const = default;
 };
@@ -243,6 +245,7 @@ struct TestHead {
     KeyValues left;       ///< 74 wide, gap 9
     KeyValues right;
     QString anchor = {}; ///< target of `Table::links`
+    bool annex = false;  ///< begins the annex
 
     bool operator==(const TestHead &) const = default;
 };
@@ -345,9 +348,10 @@ struct PageBreak {
     bool operator==(const PageBreak &) const = default;
 };
 
-/// The last words of a report, centred.
+/// The last words of a certificate or report, centred.
 struct EndMark {
-    QString text;
+    QString text; ///< with "%1" for the page of the anchor if it has one
+    QString anchor = {};
 
     bool operator==(const EndMark &) const = default;
 };
@@ -362,6 +366,7 @@ struct Making {
     std::optional<bool> selfTestPassed = {}; ///< in the process that made it; null: not run
     std::vector<int> simulated = {};         ///< tests whose uncertainty was simulated, counted from 1
     QString edition = {};                    ///< for a view: the other edition; otherwise empty
+    bool annex = true;                       ///< false: only the certificate
 
     bool operator==(const Making &) const = default;
 };
@@ -378,6 +383,7 @@ struct Report {
     Making making = {};
     QByteArray testFile = {};  ///< source of the report; may be empty
     QString testFileName = {}; ///< name of the attachment
+    int certificatePages = 0;  ///< most pages before the annex while a section may go there; 0: any
     QString fingerprint = {};  ///< SHA-256 of the test file, 64 hex digits
     QString footerLeft = {};   ///< "Report …"
     QString footerCentre = {}; ///< "Fingerprint SHA-256 …"
@@ -389,10 +395,8 @@ struct Report {
 /// Target name of a block for links and page numbers; may be empty.
 [[nodiscard]] QString anchorOf(const Block &block);
 
-/// Anchor of the title of a test's details in a report of several tests; `head` is the anchor of its head.
-[[nodiscard]] QString detailsAnchor(const QString &head);
-
-/// The report with page numbers filled in for its anchors. Anchors without a page print a dash.
-[[nodiscard]] Report withPages(Report report, const std::map<QString, int> &pages);
+/// Fills in the numbers of the pages that a block names; anchors without a page print a dash. Returns true if
+/// it names any.
+bool putPages(Block &block, const std::map<QString, int> &pages);
 
 } // namespace palmer

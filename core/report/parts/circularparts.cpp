@@ -299,7 +299,8 @@ KeyValues centreRows(const CircularPart &part, const CircleFigureOptions &option
     rows.add(REPORT_TEXT("report", "Centre"),
              circle ? centreText(part, circle->centre, circleDecimals) : QString());
     if (circle && circle->certified)
-        rows.add(REPORT_TEXT_FOR("report", "Certificate", "of a circle"), certificate(part, *circle).text.plain());
+        rows.add(REPORT_TEXT_FOR("report", "Certificate", "of a circle"),
+                 certificate(part, *circle).text.plain());
     return rows.take();
 }
 
@@ -348,6 +349,7 @@ void addSeparateFigures(std::vector<Block> &blocks, const CircularPart &part) {
         CircleFigureOptions options = figures[i];
         options.size = separateSize;
         SideBySide both = besideFigure(figureOf(part, options));
+        std::get<Heading>(both.left.front()).annexFirst = true;
         both.right.emplace_back(Heading{2, part.write.text(REPORT_TEXT("report", "Results"))});
         if (Table table = resultsOf(part, figures[i]); !table.rows.empty())
             both.right.emplace_back(std::move(table));

@@ -152,6 +152,7 @@ void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows) {
     KeyValues below;
     left.labelWidth = right.labelWidth = labelsBeside;
     below.labelWidth = statementLabels;
+    left.narrow = right.narrow = below.narrow = true;
     const auto isShort = [](const KeyValue &row) {
         return row.value.size() <= longestBeside && !row.value.contains(u'\n');
     };
@@ -183,7 +184,13 @@ QString scopeText(const Writer &write) {
 
 void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
                    const Making &making, const QString &fingerprint, const QString &foreign, int level) {
+    if (!making.annex)
+        addProgram(blocks, write, document, making, fingerprint, foreign, level);
     const ReportHead &head = document.report;
+    const bool signedBy = !head.signatures.empty() &&
+                          std::ranges::find(head.leaveOut, ReportPart::signatures) == head.leaveOut.end();
+    const bool named =
+        signedBy && std::ranges::find(head.signatures, Signer::laboratory) != head.signatures.end();
     LabelledRows rows(write);
     rows.add(REPORT_TEXT("report", "Order"), head.order, false);
     rows.add(REPORT_TEXT("report", "Procedure"), head.procedure, false);
@@ -198,7 +205,27 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
         revision = joined({revision, write.say(REPORT_TEXT("report", "replaces %1"), {head.replaces})});
     rows.add(REPORT_TEXT("report", "Revision"), revision);
     rows.add(REPORT_TEXT("report", "Reason of the revision"), head.revisionReason, false);
-    rows.add(REPORT_TEXT("report", "Authorised by"), authorisedText(head));
+    if (!named ||
+        authorisedText(head) != knownName(Signer::laboratory, head)) // otherwise above the signature
+        rows.add(REPORT_TEXT("report", "Authorised by"), authorisedText(head));
+    addHeading(blocks, write.text(signedBy ? REPORT_TEXT("report", "Responsibility and signatures")
+                                           : REPORT_TEXT("report", "Statements")));
+    addStated(blocks, rows.take().rows);
+    blocks.emplace_back(Paragraph{scopeText(write), TextSize::small});
+    if (!signedBy)
+        return;
+    Signatures signatures;
+    for (const Signer signer : head.signatures)
+        signatures.columns.push_back({write.text(signerText(signer)),
+                                      {{write.text(REPORT_TEXT("report", "Name")), knownName(signer, head)},
+                                       {write.text(REPORT_TEXT("report", "Date"))},
+                                       {write.text(REPORT_TEXT("report", "Signature")), {}, true}}});
+    blocks.emplace_back(std::move(signatures));
+}
+
+void addProgram(std::vector<Block> &blocks, const Writer &write, const Document &document,
+                const Making &making, const QString &fingerprint, const QString &foreign, int level) {
+    LabelledRows rows(write, {{}, statementLabels});
     rows.add(REPORT_TEXT("report", "Program"),
              joined({making.program, selfTestText(write, making.selfTestPassed)}));
     rows.add(REPORT_TEXT("report", "Fingerprint SHA-256"), fingerprint);
@@ -212,14 +239,14 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
         const UncertaintyMethod *method = methodOf(*test);
         return method && *method != UncertaintyMethod::none;
     });
-    blocks.emplace_back(Heading{level, write.text(REPORT_TEXT("report", "Statements"))});
-    addStated(blocks, rows.take().rows);
+    blocks.emplace_back(Heading{level, write.text(REPORT_TEXT("report", "Program and test file"))});
+    blocks.emplace_back(rows.take());
     blocks.emplace_back(Paragraph{
-        joined({scopeText(write), evaluatesUncertainty ? coverageText(write) : QString()},
-               QStringLiteral(" ")) +
-            u' ' +
-            write.text(REPORT_TEXT(
-                "report", "The fingerprint is that of the test file attached to the PDF of this report.")),
+        joined(
+            {evaluatesUncertainty ? coverageText(write) : QString(),
+             write.text(REPORT_TEXT(
+                 "report", "The fingerprint is that of the test file attached to the PDF of this report."))},
+            QStringLiteral(" ")),
         TextSize::small});
 }
 
@@ -243,22 +270,6 @@ void addResponsibility(std::vector<Block> &blocks, const Writer &write, const Re
         {column(REPORT_TEXT("report", "Authorised by: name, function"), bounded(authorisedText(head)), 0),
          column(REPORT_TEXT("report", "Date"), {}, dateWidth),
          column(REPORT_TEXT("report", "Signature"), {}, signatureWidth)}});
-}
-
-void addSignatures(std::vector<Block> &blocks, const Writer &write, const ReportHead &head) {
-    const bool leftOut = std::ranges::find(head.leaveOut, ReportPart::signatures) != head.leaveOut.end();
-    if (!leftOut && !head.signatures.empty()) {
-        Signatures signatures;
-        for (const Signer signer : head.signatures)
-            signatures.columns.push_back(
-                {write.text(signerText(signer)),
-                 {{write.text(REPORT_TEXT("report", "Name")), knownName(signer, head)},
-                  {write.text(REPORT_TEXT("report", "Date"))},
-                  {write.text(REPORT_TEXT("report", "Signature")), {}, true}}});
-        addHeading(blocks, write.text(REPORT_TEXT("report", "Signatures")));
-        blocks.emplace_back(std::move(signatures));
-    }
-    blocks.emplace_back(EndMark{write.text(REPORT_TEXT("report", "End of the report"))});
 }
 
 } // namespace palmer

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace palmer {
 
@@ -70,13 +72,15 @@ QString targetList(const PositioningPart &part) {
 
 QString measuringLineText(const Writer &write, const Conditions &conditions) {
     QStringList lines;
+    bool any = false;
     const auto add = [&](const Text &words, const Point3 &point) {
         const QString text = pointText(write, point);
+        any = any || !text.isEmpty();
         lines << write.say(words, text.isEmpty() ? QStringLiteral("–") : text + QStringLiteral("\u00A0mm"));
     };
     add(REPORT_TEXT("report", "tool offset: %1"), conditions.toolOffset);
     add(REPORT_TEXT("report", "workpiece offset: %1"), conditions.workpieceOffset);
-    return lines.join(u'\n');
+    return any ? lines.join(u'\n') : QString();
 }
 
 /// Conditions that are printed elsewhere in the report or share a row.
@@ -140,7 +144,7 @@ private:
 
 /// True if a contribution of the printed budget uses the number; a 0 does not need to be shown.
 bool isInBudget(const TestPart &part, double value) {
-    if (part.leavesOut(ReportPart::uncertainty) || !usesBudget(part.evaluation))
+    if (!part.annex || part.leavesOut(ReportPart::uncertainty) || !usesBudget(part.evaluation))
         return false;
     const auto isValue = [value](const Argument &argument) {
         const auto *number = std::get_if<Number>(&argument);
@@ -327,6 +331,18 @@ KeyValues rowsOf(const CircularPart &part) {
     return rows.take();
 }
 
+/// A label within a list: "measuring system", "α machine".
+QString withinList(QString label) {
+    if (label.size() > 1 && label.at(1).isLower())
+        label[0] = label.at(0).toLower();
+    return label;
+}
+
+void addNotStated(KeyValues &rows, const QString &missing, const Writer &write) {
+    if (!missing.isEmpty())
+        rows.rows.push_back({write.text(REPORT_TEXT_FOR("report", "Not stated", "conditions")), missing});
+}
+
 /// Table of temperatures at start and end and other statements about the environment.
 class EnvironmentTable {
 public:
@@ -346,11 +362,32 @@ public:
             {label(statedThing(key)->name, quantity), m_write.number(value, quantity), blankCell()});
     }
     void addExpansion(const Expansion &expansion) {
-        m_table.rulesAfter.push_back(m_table.rows.size() - 1);
+        m_expansion = m_table.rows.size();
         addCoefficient(REPORT_TEXT("report", "α machine"), expansion.machine);
         addCoefficient(REPORT_TEXT("report", "α instrument"), expansion.instrument);
     }
-    [[nodiscard]] Table take() { return std::move(m_table); }
+    /// Without the rows that state nothing, whose names are added to `rows`.
+    [[nodiscard]] Table take(KeyValues &rows) {
+        QStringList missing;
+        Table table{m_table.columns};
+        for (std::size_t i = 0; i < m_table.rows.size(); ++i) {
+            const std::vector<Cell> &row = m_table.rows[i];
+            if (row[1].text.plain().isEmpty() && row[2].text.plain().isEmpty()) {
+                const std::vector<Span> &label = row[0].text.spans;
+                missing << withinList(label.front().text.trimmed()) + QStringLiteral("\u00A0(") +
+                               label.back().text + u')';
+                continue;
+            }
+            if (i >= m_expansion && !table.rows.empty() && table.rulesAfter.empty())
+                table.rulesAfter.push_back(table.rows.size() - 1);
+            table.rows.push_back(row);
+        }
+        addNotStated(
+            rows,
+            joined({takeMissing(rows, m_write), missing.join(m_write.semicolon())}, m_write.semicolon()),
+            m_write);
+        return table;
+    }
 
 private:
     void addCoefficient(const Text &name, std::optional<double> alpha) {
@@ -371,9 +408,10 @@ private:
 
     const Writer &m_write;
     Table m_table;
+    std::size_t m_expansion = std::numeric_limits<std::size_t>::max(); ///< its first row
 };
 
-Table environment(const PositioningPart &part) {
+EnvironmentTable environment(const PositioningPart &part) {
     const PositioningConditions &conditions = part.measurement.conditions;
     EnvironmentTable table(part, conditions.common);
     table.add("airPressure", conditions.airPressure);
@@ -382,7 +420,7 @@ Table environment(const PositioningPart &part) {
     const Expansion &expansion = conditions.common.expansion;
     if (part.measurement.axis.motion == Motion::linear || expansion.machine || expansion.instrument)
         table.addExpansion(expansion);
-    return table.take();
+    return table;
 }
 
 /// True if a table of the sensors adds to that of the environment: positions, or several sensors per mean.
@@ -398,14 +436,73 @@ void addSensors(std::vector<Block> &blocks, const TestPart &part) {
     auto table = sensorTable(part);
     if (!table)
         return;
-    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Temperature sensors")));
+    blocks.emplace_back(
+        Heading{2, part.write.text(REPORT_TEXT("report", "Temperature sensors")), {}, {}, true});
     blocks.emplace_back(std::move(*table));
 }
 
 constexpr double temperatureFigureHeight = 62; ///< mm
 
-void addConditionsHeading(std::vector<Block> &blocks, const TestPart &part) {
+/// Approximate height of a row beside the environment or below it, mm.
+double heightOf(const KeyValue &row, double valueWidth) {
+    constexpr double letter = 1.6;
+    constexpr double line = 4.1;
+    constexpr double gap = 0.75;
+    double height = gap;
+    for (const QString &text : row.value.split(u'\n'))
+        height += line * (1 + std::floor(letter * static_cast<double>(text.size()) / valueWidth));
+    return height;
+}
+
+/// Takes the last rows for the column of the environment, so that both columns are about equally high.
+KeyValues takeRest(KeyValues &rows, const Table &environment) {
+    constexpr double rowHeight = 4.65;
+    constexpr double wide = conditionsWidth - conditionLabels - 3;
+    constexpr double narrow = textWidth - conditionsWidth - 9 - conditionLabels - 3;
+    double left = 0;
+    for (const KeyValue &row : rows.rows)
+        left += heightOf(row, wide);
+    double right = rowHeight * static_cast<double>(environment.rows.size() + 3);
+    KeyValues rest{{}, conditionLabels};
+    while (!rows.rows.empty() &&
+           right + heightOf(rows.rows.back(), narrow) <= left - heightOf(rows.rows.back(), wide)) {
+        left -= heightOf(rows.rows.back(), wide);
+        right += heightOf(rows.rows.back(), narrow);
+        rest.rows.insert(rest.rows.begin(), std::move(rows.rows.back()));
+        rows.rows.pop_back();
+    }
+    return rest;
+}
+
+/// Adds what is stated, beside it the environment with the `correction`; what is not stated is one row.
+void addConditions(std::vector<Block> &blocks, const TestPart &part, std::optional<EnvironmentTable> table,
+                   const QString &correction) {
+    KeyValues rows = conditionRows(part);
+    const Table stated = table ? table->take(rows) : Table();
+    if (!table)
+        addNotStated(rows, takeMissing(rows, part.write), part.write);
+    if (!correction.isEmpty() && stated.rows.empty())
+        rows.rows.push_back(
+            {part.write.text(REPORT_TEXT("report", "Correction to 20 °C")), correctionOf(part)});
+    if (rows.rows.empty() && stated.rows.empty())
+        return;
     addHeading(blocks, part.write.text(REPORT_TEXT("report", "Test conditions")));
+    if (stated.rows.empty()) {
+        blocks.emplace_back(std::move(rows));
+    } else {
+        SideBySide both;
+        both.leftWidth = conditionsWidth;
+        KeyValues rest = takeRest(rows, stated);
+        both.left.emplace_back(std::move(rows));
+        both.right.emplace_back(stated);
+        if (!correction.isEmpty())
+            both.right.emplace_back(Paragraph{correction, TextSize::small});
+        if (!rest.rows.empty())
+            both.right.emplace_back(std::move(rest));
+        blocks.emplace_back(std::move(both));
+    }
+    addSensors(blocks, part);
+    addTemperatureCurve(blocks, part);
 }
 
 } // namespace
@@ -417,6 +514,16 @@ Text sensorText(SensorMeasures what) {
 
 KeyValues conditionRows(const TestPart &part) {
     return withKind(part, [](const auto &own) { return rowsOf(own); });
+}
+
+QString takeMissing(KeyValues &rows, const Writer &write) {
+    QStringList missing;
+    std::erase_if(rows.rows, [&](const KeyValue &row) {
+        if (row.value.isEmpty())
+            missing << withinList(row.key);
+        return row.value.isEmpty();
+    });
+    return missing.join(write.semicolon());
 }
 
 Temperatures temperaturesOf(const Conditions &conditions, SensorMeasures what) {
@@ -470,54 +577,30 @@ void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part) {
     LineFigure figure = temperatureFigure(conditionsOf(part.test)->sensors, part.write.language());
     if (figure.lines.empty())
         return;
-    addHeading(blocks, figure.title);
+    blocks.emplace_back(Heading{2, figure.title, {}, {}, true});
     FigureBlock block{std::move(figure)};
     block.height = temperatureFigureHeight;
+    block.least = temperatureFigureHeight;
     blocks.emplace_back(std::move(block));
 }
 
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
-    const Writer &write = part.write;
-    addConditionsHeading(blocks, part);
-    SideBySide both;
-    both.leftWidth = conditionsWidth;
-    both.left.emplace_back(conditionRows(part));
-    both.right.emplace_back(environment(part));
-    if (part.measurement.axis.motion == Motion::linear)
-        both.right.emplace_back(
-            Paragraph{write.say(REPORT_TEXT("report", "Nominal differential expansion (NDE): %1."),
-                                {correctionText(part.measurement.conditions.common.correctionTo20)}),
-                      TextSize::small});
-    blocks.emplace_back(std::move(both));
-    addSensors(blocks, part);
-    addTemperatureCurve(blocks, part);
+    const bool linear = part.measurement.axis.motion == Motion::linear;
+    addConditions(blocks, part, environment(part),
+                  linear ? part.write.say(REPORT_TEXT("report", "Nominal differential expansion (NDE): %1."),
+                                          {correctionText(part.measurement.conditions.common.correctionTo20)})
+                         : QString());
 }
 
 void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
-    const Writer &write = part.write;
     const Conditions &conditions = part.measurement.conditions.common;
-    KeyValues rows = conditionRows(part);
-    const bool temperatures = statesTemperatures(part);
-    if (!temperatures && rows.rows.empty())
-        return;
-    addConditionsHeading(blocks, part);
-    if (!temperatures) {
-        blocks.emplace_back(std::move(rows));
-        return; // without temperatures there are no sensors
-    }
     EnvironmentTable table(part, conditions);
     table.addExpansion(conditions.expansion);
-    SideBySide both;
-    both.leftWidth = conditionsWidth;
-    both.left.emplace_back(std::move(rows));
-    both.right.emplace_back(table.take());
-    if (part.needsLength())
-        both.right.emplace_back(Paragraph{write.say(REPORT_TEXT("report", "F and D at 20 °C: correction %1."),
-                                                    {correctionText(conditions.correctionTo20)}),
-                                          TextSize::small});
-    blocks.emplace_back(std::move(both));
-    addSensors(blocks, part);
-    addTemperatureCurve(blocks, part);
+    addConditions(blocks, part, statesTemperatures(part) ? std::optional(std::move(table)) : std::nullopt,
+                  part.needsLength()
+                      ? part.write.say(REPORT_TEXT("report", "F and D at 20 °C: correction %1."),
+                                       {correctionText(conditions.correctionTo20)})
+                      : QString());
 }
 
 /// Text of an agreement, followed by its number if the text does not contain it.
@@ -590,43 +673,6 @@ void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
         return;
     addHeading(blocks, part.write.text(REPORT_TEXT("report", "Points to be agreed")), points->note);
     blocks.emplace_back(std::move(points->table));
-}
-
-void addUncertainty(std::vector<Block> &blocks, const TestPart &part, UncertaintyMethod method) {
-    if (part.leavesOut(ReportPart::uncertainty))
-        return;
-    const Writer &write = part.write;
-    const auto &findings = part.evaluation.findings;
-    const auto found = std::ranges::find_if(findings, [](const Finding &finding) {
-        return finding.explains == Explains::missingUncertainty && finding.source == Source::text;
-    });
-    const bool asked = found != findings.end();
-    const bool any = std::ranges::any_of(
-        part.evaluation.parameters, [](const Parameter &p) { return p.expandedUncertainty.has_value(); });
-    if (!asked && (!any || usesBudget(part.evaluation)))
-        return;
-    const CoverageOfResults coverage = coverageOf(part.evaluation, part.head());
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Measurement uncertainty")),
-               coverage.simulated.empty() ? QStringLiteral("k = 2")
-                                          : coverageNote(coverage, write.language()));
-    QStringList words;
-    if (any && method == UncertaintyMethod::direct)
-        words << write.text(REPORT_TEXT(
-            "report", "The expanded uncertainties U beside the results were stated by the laboratory."));
-    if (asked && found->grade == Grade::requirement)
-        words << write.say(
-            any ? REPORT_TEXT("report",
-                              "%1 asks for the uncertainty beside every result; some are not stated.")
-                : REPORT_TEXT("report", "%1 asks for the uncertainty beside every result; none is stated."),
-            {std::string(part.edition().word)});
-    else if (asked)
-        words << write.say(
-            any ? REPORT_TEXT("report", "%1 recommends stating the uncertainty beside every result; some are "
-                                        "not stated.")
-                : REPORT_TEXT("report",
-                              "%1 recommends stating the uncertainty beside every result; none is stated."),
-            {std::string(part.edition().word)});
-    blocks.emplace_back(Paragraph{words.join(u' ')});
 }
 
 namespace {

@@ -25,9 +25,7 @@ constexpr double readingPadding = 2;
 constexpr std::size_t mostRunsSideBySide = 7;
 constexpr std::size_t rowsOfAGroup = 5;
 constexpr double narrowestReading = 12;
-constexpr std::size_t mostRows = 2000;       ///< of readings or targets printed by default
-constexpr qsizetype mostRemarksBeside = 600; ///< characters; longer remarks take the whole width
-constexpr std::size_t mostColumnsBeside = 5; ///< of editions, next to remarks
+constexpr std::size_t mostRows = 2000; ///< of readings or targets printed by default
 
 Phrase indexed(const QString &base, const QString &index, const QString &after = {}) {
     std::vector<Span> spans{{base}, {index, true}};
@@ -252,6 +250,7 @@ struct EditionColumn {
     TestEvaluationPointer evaluation;
 };
 
+/// In the order in which editions are offered, whatever that of the test.
 std::vector<EditionColumn> editionColumns(const TestPart &part) {
     std::vector<EditionColumn> columns{{&part.edition(), part.evaluated.tests[part.index]}};
     for (std::size_t i = 0; part.views && i < part.views->size(); ++i) {
@@ -261,7 +260,42 @@ std::vector<EditionColumn> editionColumns(const TestPart &part) {
             continue;
         columns.push_back({edition, (*part.views)[i].tests[part.index]});
     }
+    std::ranges::sort(columns, {}, [](const EditionColumn &column) {
+        return std::ranges::find(editions(), column.edition) - editions().begin();
+    });
     return columns;
+}
+
+/// The same quantity of an axis under other names.
+constexpr std::array counterparts{std::pair{"P", "A"}, std::pair{"Pa", "M"}, std::pair{"Psmax", "R"},
+                                  std::pair{"Umax", "B"}, std::pair{"Umean", "Bmean"}};
+
+/// Id of the row of a parameter: that of its counterpart in ISO 230-2, if it has one.
+std::string rowOfEditions(const Parameter &parameter) {
+    const auto found = std::ranges::find_if(
+        counterparts, [&](const auto &pair) { return parameter.term.id == std::string_view(pair.first); });
+    return found == counterparts.end() ? parameterId(parameter) : found->second;
+}
+
+/// Ids of the rows, in the order of the edition that has most.
+std::vector<std::string> rowsOfEditions(const std::vector<EditionColumn> &columns, const ReportHead &head) {
+    std::vector<std::vector<std::string>> lists;
+    for (const EditionColumn &column : columns) {
+        lists.emplace_back();
+        for (const Parameter &parameter : column.evaluation->parameters) {
+            if (isPrinted(parameter, head))
+                lists.back().push_back(rowOfEditions(parameter));
+        }
+    }
+    std::ranges::stable_sort(lists, std::greater(), &std::vector<std::string>::size);
+    std::vector<std::string> rows;
+    for (const auto &list : lists) {
+        for (const std::string &id : list) {
+            if (std::ranges::find(rows, id) == rows.end())
+                rows.push_back(id);
+        }
+    }
+    return rows;
 }
 
 bool hasScatter(const PositioningPart &part) {
@@ -494,30 +528,34 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
     if (columns.size() < 2)
         return std::nullopt;
     const Writer &write = part.write;
-    std::vector<const Parameter *> rows;
-    for (const EditionColumn &column : columns) {
-        for (const Parameter &parameter : column.evaluation->parameters) {
-            const auto same = [&](const Parameter *p) { return parameterId(*p) == parameterId(parameter); };
-            if (isPrinted(parameter, part.head()) && std::ranges::none_of(rows, same))
-                rows.push_back(&parameter);
-        }
-    }
     Table table;
-    for (const Parameter *row : rows) {
-        const Cell symbol = boldCell(symbolPhrase(*row));
-        std::vector<Cell> cells{symbol};
+    QString unit;
+    for (const std::string &row : rowsOfEditions(columns, part.head())) {
+        Phrase symbols;
+        std::vector<Cell> cells{Cell()};
         for (const EditionColumn &column : columns) {
             const auto &parameters = column.evaluation->parameters;
-            const auto found = std::ranges::find_if(
-                parameters, [&](const Parameter &p) { return parameterId(p) == parameterId(*row); });
-            const bool known = found != parameters.end() && found->value;
+            const auto found =
+                std::ranges::find_if(parameters, [&](const Parameter &p) { return rowOfEditions(p) == row; });
+            if (found == parameters.end()) {
+                cells.emplace_back();
+                continue;
+            }
+            unit = write.language().unit(found->term.quantity);
+            const Phrase symbol = symbolPhrase(*found);
+            if (symbols.spans.empty())
+                symbols = symbol;
+            else if (symbols.plain() != symbol.plain()) {
+                symbols += Phrase(QStringLiteral(", "));
+                symbols += symbol;
+            }
             cells.emplace_back(
-                known ? printedNumbers(*found, part.test, part.document(), write.language()).value
-                      : QString());
+                found->value ? printedNumbers(*found, part.test, part.document(), write.language()).value
+                             : QString());
         }
+        cells.front() = boldCell(symbols);
         table.rows.push_back(std::move(cells));
     }
-    const QString unit = rows.empty() ? QString() : write.language().unit(rows.front()->term.quantity);
     const bool scatter = hasScatter(part.evaluation);
     table.columns.push_back({QString(), unit, Alignment::left, true, 20});
     for (const EditionColumn &column : columns) {
@@ -532,27 +570,21 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
     return table;
 }
 
-void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks) {
-    const Writer &write = part.write;
+void addEditions(std::vector<Block> &blocks, const TestPart &part) {
     auto table = editionsTable(part);
-    const Heading editions{2, write.text(REPORT_TEXT("report", "Comparison of editions"))};
-    const Heading remarksHeading{2, write.text(REPORT_TEXT("report", "Remarks"))};
-    const bool fits = table && table->columns.size() <= mostColumnsBeside;
-    if (fits && !remarks.isEmpty() && remarks.size() <= mostRemarksBeside) {
-        SideBySide both;
-        both.left = {editions, std::move(*table)};
-        both.right = {remarksHeading, Paragraph{remarks}};
-        blocks.emplace_back(std::move(both));
+    if (!table)
         return;
-    }
-    if (table) {
-        blocks.emplace_back(editions);
-        blocks.emplace_back(std::move(*table));
-    }
-    if (!remarks.isEmpty()) {
-        blocks.emplace_back(remarksHeading);
-        blocks.emplace_back(Paragraph{remarks});
-    }
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Comparison of editions")),
+               part.write.say(REPORT_TEXT("report", "edition of the test: %1; the others without verdict"),
+                              {std::string(part.edition().word)}));
+    blocks.emplace_back(std::move(*table));
+}
+
+void addRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks) {
+    if (remarks.isEmpty())
+        return;
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Remarks")));
+    blocks.emplace_back(Paragraph{remarks});
 }
 
 namespace {

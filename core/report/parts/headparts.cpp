@@ -217,6 +217,33 @@ TestHead positioningHead(const PositioningPart &part) {
     return head;
 }
 
+TestHead annexHead(const std::vector<TestPart> &parts, const QString &anchor) {
+    const TestPart &part = parts.front();
+    TestHead head = letterHead(part.write, part.head());
+    head.annex = true;
+    head.anchor = anchor;
+    head.title = part.write.text(REPORT_TEXT("report", "Annex"));
+    head.subtitle = parts.size() > 1 ? reportTitle(part.write, part.head()) : titleAndEdition(part);
+    LabelledRows machine(part.write, {{}, leftLabels});
+    machine.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
+    head.left = machine.take();
+    LabelledRows date(part.write, {{}, rightLabels});
+    if (parts.size() > 1)
+        date.add(REPORT_TEXT("report", "Dates of the tests"), periodOfTests(parts));
+    else
+        date.add(REPORT_TEXT("report", "Date of test"), dateOfTest(part));
+    head.right = date.take();
+    return head;
+}
+
+RunningHead annexRunningHead(const std::vector<TestPart> &parts) {
+    const TestPart &part = parts.front();
+    return {QString::fromStdString(part.head().laboratory.name),
+            joined({part.write.text(REPORT_TEXT("report", "Annex")),
+                    parts.size() > 1 ? reportTitle(part.write, part.head()) : titleAndEdition(part)},
+                   QStringLiteral(" · "))};
+}
+
 TestHead driftHead(const Writer &write, const Document &document) {
     TestHead head = letterHead(write, document.report);
     head.left =

@@ -23,6 +23,10 @@ namespace palmer {
 /// The head of a circular test.
 [[nodiscard]] TestHead circularHead(const CircularPart &part);
 
+/// The head of the annex, and the running head of its pages.
+[[nodiscard]] TestHead annexHead(const std::vector<TestPart> &parts, const QString &anchor);
+[[nodiscard]] RunningHead annexRunningHead(const std::vector<TestPart> &parts);
+
 /// The head of a report whose tests have no pages of their own.
 [[nodiscard]] TestHead driftHead(const Writer &write, const Document &document);
 
@@ -111,8 +115,11 @@ void addVerdict(std::vector<Block> &blocks, const TestPart &part);
 void addResults(std::vector<Block> &blocks, const PositioningPart &part);
 void addResults(std::vector<Block> &blocks, const CircularPart &part);
 
-/// Adds the findings in order of grade, unless the report leaves them out.
+/// Adds the findings of the text of the edition in order of grade, unless the report leaves them out.
 void addFindings(std::vector<Block> &blocks, const TestPart &part);
+
+/// Adds those of practice, laboratory and program.
+void addFurtherFindings(std::vector<Block> &blocks, const TestPart &part);
 
 /// The decision rule of a test in words, with its guard factor.
 [[nodiscard]] QString decisionText(const TestPart &part);
@@ -125,6 +132,9 @@ void addLimits(std::vector<Block> &blocks, const TestPart &part);
 
 /// The conditions stated by a test, one row each; missing values are empty.
 [[nodiscard]] KeyValues conditionRows(const TestPart &part);
+
+/// Removes the rows without a value; returns their labels, joined.
+[[nodiscard]] QString takeMissing(KeyValues &rows, const Writer &write);
 
 /// Temperatures of a kind of sensor: the mean of all of them, null unless each has a value.
 struct Temperatures {
@@ -166,9 +176,6 @@ void addConditions(std::vector<Block> &blocks, const CircularPart &part);
 /// Adds the points to be agreed between supplier/manufacturer and user, each with its state.
 void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part);
 
-/// Adds the origin of the U of the results, if there is any or the edition requires it.
-void addUncertainty(std::vector<Block> &blocks, const TestPart &part, UncertaintyMethod method);
-
 /// Adds the correction to 20 °C if it was to be made here, and its value at each target. Linear axes only; in
 /// all other cases the conditions state it.
 void addCorrection(std::vector<Block> &blocks, const PositioningPart &part);
@@ -209,8 +216,10 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
 /// column contains the symbols, with the unit below its title. `narrow`: factors are printed as "c = 2".
 [[nodiscard]] std::optional<Table> editionsTable(const TestPart &part, bool narrow = false);
 
-/// Adds this table and the remarks of the test, side by side if they fit.
-void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks);
+/// Adds this table.
+void addEditions(std::vector<Block> &blocks, const TestPart &part);
+
+void addRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks);
 
 /// Adds the files the measurement came from, with the results stated by their programs.
 void addImports(std::vector<Block> &blocks, const TestPart &part);
@@ -298,11 +307,15 @@ void addThermalPages(std::vector<Block> &blocks, const EvaluatedDocument &evalua
 /// Adds the drift tests of the file with their ranges.
 void addDriftTests(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated);
 
-/// Adds the statements that ISO/IEC 17025, 7.8 requires, the program and the full fingerprint; `foreign`:
-/// characters of the report that its font lacks. `level` of the heading: 1 if the sections above belong to a
-/// test.
+/// Adds the statements that ISO/IEC 17025, 7.8 requires, with the signatures unless they are left out; without
+/// an annex first what addProgram() says.
 void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
                    const Making &making, const QString &fingerprint, const QString &foreign, int level);
+
+/// Adds the program, the full fingerprint and how U was evaluated; `foreign`: characters of the report that
+/// its font lacks. `level` of the heading: 1 if the sections above belong to a test.
+void addProgram(std::vector<Block> &blocks, const Writer &write, const Document &document,
+                const Making &making, const QString &fingerprint, const QString &foreign, int level);
 
 /// States what the results relate to, and that the report is reproduced only in full.
 [[nodiscard]] QString scopeText(const Writer &write);
@@ -312,8 +325,5 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
 
 /// Adds the person responsible for the report: name, date and signature on one line.
 void addResponsibility(std::vector<Block> &blocks, const Writer &write, const ReportHead &head);
-
-/// Adds the signatures and the end of the report.
-void addSignatures(std::vector<Block> &blocks, const Writer &write, const ReportHead &head);
 
 } // namespace palmer

@@ -243,6 +243,17 @@ Table resultTable(const TestPart &part, const ResultForm &form, std::vector<Prin
     return table;
 }
 
+/// The origin of the limits if all have the same.
+QString originOfLimits(const TestPart &part) {
+    QStringList origins;
+    for (const auto &[id, limit] : part.test.limits) {
+        if (limit.value)
+            origins << QString::fromStdString(limit.source);
+    }
+    origins.removeDuplicates();
+    return origins.size() == 1 ? origins.front() : QString();
+}
+
 QString resultsNote(const TestPart &part) {
     QStringList notes;
     if (part.edition().rangeMethod) {
@@ -250,11 +261,49 @@ QString resultsNote(const TestPart &part) {
         notes << part.write.text(range ? REPORT_TEXT("report", "s by the range method")
                                        : REPORT_TEXT("report", "s by the calculation method"));
     }
-    if (part.evaluation.verdict) {
-        notes << ruleInShort(part)
-              << part.write.text(REPORT_TEXT("report", "verdict based on unrounded values"));
-    }
+    if (const QString origin = originOfLimits(part); !origin.isEmpty())
+        notes << part.write.say(REPORT_TEXT("report", "limits: %1"), origin);
     return notes.join(part.write.semicolon());
+}
+
+/// "U: expanded uncertainty, k = 2, …": the coverage of U and where it comes from; empty without U.
+QString uncertaintySentence(const TestPart &part) {
+    const Writer &write = part.write;
+    const CoverageOfResults coverage = coverageOf(part.evaluation, part.head());
+    if (!coverage.factor && coverage.simulated.empty())
+        return {};
+    QStringList words{write.text(REPORT_TEXT("report", "U: expanded uncertainty"))};
+    words << (coverage.simulated.empty()
+                  ? write.text(
+                        REPORT_TEXT("report", "coverage factor k = 2, coverage probability of about 95 %"))
+                  : coverageNote(coverage, write.language()));
+    if (!part.leavesOut(ReportPart::uncertainty)) {
+        if (part.evaluation.uncertainty.method == UncertaintyMethod::direct)
+            words << write.text(REPORT_TEXT("report", "stated by the laboratory"));
+        else if (usesBudget(part.evaluation) && part.annex)
+            words << write.text(REPORT_TEXT("report", "from the budget in the annex"));
+    }
+    return words.join(QStringLiteral(", ")) + u'.';
+}
+
+/// The decision rule in one sentence; empty without a verdict, and in a report of several tests, which says
+/// it for all of them.
+QString ruleSentence(const TestPart &part) {
+    if (!part.evaluation.verdict || part.count > 1)
+        return {};
+    const QString band = bandName(part, guardsSimulated(part.evaluation));
+    return part.write.say(
+        inOrder(
+            part.test.decisionRule.rule,
+            {REPORT_TEXT("report", "Decision rule: %1. A limit is met by a value not above it; the verdict "
+                                   "is based on unrounded values."),
+             REPORT_TEXT("report", "Decision rule: %1. A limit is met where value + %2 ≤ limit, exceeded "
+                                   "where value − %2 > limit, otherwise not proven; the verdict is based "
+                                   "on unrounded values."),
+             REPORT_TEXT("report", "Decision rule: %1. A limit is met where value + %2 ≤ limit, exceeded "
+                                   "where value − %2 > limit; between, non-conformity is not proven; the "
+                                   "verdict is based on unrounded values.")}),
+        {part.write.text(ruleWords(part.test.decisionRule.rule).inReport).toStdString(), band.toStdString()});
 }
 
 void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultForm &form) {
@@ -284,34 +333,21 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultFor
     if (form.setUpInF && std::ranges::any_of(parameters, holdsSetUp))
         addLine(QStringLiteral("†\u00A0") +
                 write.text(REPORT_TEXT("report", "about the centre of the set-up: with the set-up error")));
-    if (const CoverageOfResults coverage = coverageOf(part.evaluation, part.head()); coverage.mixed())
-        addLine(QStringLiteral("U: ") + coverageNote(coverage, write.language()));
     const bool pictures =
         std::ranges::any_of(parameters, [](const Parameter &p) { return guardCell(p).guard.has_value(); });
     if (!pictures)
         return;
     ResultsLegend legend;
     legend.items.push_back({LegendSign::value, write.text(REPORT_TEXT_FOR("report", "value", "legend"))});
-    legend.items.push_back(
-        {LegendSign::limit,
-         write.text(
-             hasGuardBand(part.test)
-                 ? REPORT_TEXT_FOR("report", "limit", "legend")
-                 : REPORT_TEXT("report", "limit. Value left of the limit: met; right of it: exceeded."))});
+    legend.items.push_back({LegendSign::limit, write.text(REPORT_TEXT_FOR("report", "limit", "legend"))});
     const bool bands =
         std::ranges::any_of(parameters, [](const Parameter &p) { return p.guardBand.has_value(); });
     if (bands) {
         const QString band = factorIsOne(part.test) && !guardsSimulated(part.evaluation)
                                  ? QStringLiteral("U")
-                                 : QStringLiteral("g");
-        const Text words =
-            part.test.decisionRule.rule == Rule::rejectionProven
-                ? REPORT_TEXT("report", "limit ± %1. Value left of the band: met; within: non-conformity not "
-                                        "proven; right: exceeded.")
-                : REPORT_TEXT("report",
-                              "limit ± %1. Value left of the band: met; in the band: not proven; right "
-                              "of the band: exceeded.");
-        legend.items.push_back({LegendSign::band, write.say(words, band)});
+                                 : QStringLiteral("g = ") + bandName(part, guardsSimulated(part.evaluation));
+        legend.items.push_back(
+            {LegendSign::band, write.say(REPORT_TEXT("report", "limit ± %1, one scale per row"), band)});
     }
     blocks.emplace_back(std::move(legend));
 }
@@ -501,7 +537,8 @@ VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &
                    evaluation.verdict ? markOf(*evaluation.verdict) : Mark::none,
                    part.write.text(limitsText(evaluation.verdict, limits)),
                    withSymbols(reason(part, results), evaluation.parameters)};
-    const bool listed = !part.leavesOut(ReportPart::findings);
+    const bool listed =
+        !part.leavesOut(ReportPart::findings) && (part.annex || part.edition().textRead != TextRead::none);
     line.accordance = accordanceStatement(part.test, evaluation, part.write.language(), listed);
     if (line.accordance.text.plain().contains(QLatin1String("%1")))
         line.anchor = part.findingsAnchor();
@@ -514,6 +551,10 @@ void addResultsAs(std::vector<Block> &blocks, const TestPart &part, const Result
         addHeading(blocks, form.heading, resultsNote(part));
         blocks.emplace_back(resultTable(part, form, results));
         addLegend(blocks, part, form);
+        const QString sentences =
+            joined({uncertaintySentence(part), ruleSentence(part)}, QStringLiteral(" "));
+        if (!sentences.isEmpty())
+            blocks.emplace_back(Paragraph{sentences, TextSize::small});
     }
 }
 
@@ -613,23 +654,41 @@ void addResults(std::vector<Block> &blocks, const CircularPart &part) {
 }
 
 void addFindings(std::vector<Block> &blocks, const TestPart &part) {
-    if (part.leavesOut(ReportPart::findings)) {
+    const Language &language = part.write.language();
+    const bool leftOut = part.leavesOut(ReportPart::findings);
+    if (leftOut || !part.annex) {
         // Substituted readings are always declared with the readings.
         for (const Finding &finding : part.evaluation.findings) {
             if (finding.explains == Explains::substituteReadings)
-                blocks.emplace_back(Paragraph{findingText(finding, part.write.language()), TextSize::small});
+                blocks.emplace_back(Paragraph{findingText(finding, language), TextSize::small});
         }
-        return;
     }
-    FindingsBlock block = findingLines(part.evaluation, part.write.language());
+    FindingsBlock block = findingLines(part.evaluation, language, FindingsOf::text);
     const bool none = block.lines.empty(); // stated next to the heading
-    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Findings")),
-               part.write.text(
-                   none ? REPORT_TEXT("report", "No findings.")
-                        : REPORT_TEXT("report", "what the edition asks for and this test does not have")),
+    if (leftOut || (none && (part.count > 1 || part.edition().textRead == TextRead::none)))
+        return;
+    addHeading(blocks,
+               part.count == 1
+                   ? part.write.text(REPORT_TEXT("report", "Findings"))
+                   : part.write.say(REPORT_TEXT("report", "Findings of test %1"), {wholeNumber(part.number)}),
+               none ? part.write.text(REPORT_TEXT("report", "No findings."))
+                    : part.write.say(
+                          REPORT_TEXT("report", "what the text of %1 asks for and this test does not have"),
+                          standardName(language, &part.edition())),
                part.findingsAnchor());
     if (!none)
         blocks.emplace_back(std::move(block));
+}
+
+void addFurtherFindings(std::vector<Block> &blocks, const TestPart &part) {
+    if (part.leavesOut(ReportPart::findings))
+        return;
+    FindingsBlock block = findingLines(part.evaluation, part.write.language(), FindingsOf::others);
+    if (block.lines.empty())
+        return;
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Findings of practice, laboratory and program")),
+               {}, part.edition().textRead == TextRead::none ? part.findingsAnchor() : QString());
+    blocks.emplace_back(std::move(block));
 }
 
 QString decisionText(const TestPart &part) {
@@ -701,14 +760,10 @@ Table limitsTable(const TestPart &part) {
 }
 
 void addLimits(std::vector<Block> &blocks, const TestPart &part) {
-    const Writer &write = part.write;
-    addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")));
     Table table = limitsTable(part);
-    if (table.rows.empty()) {
-        blocks.emplace_back(Paragraph{
-            write.text(REPORT_TEXT("report", "No limit was agreed: the results have no verdict."))});
+    if (table.rows.empty()) // the verdict says so
         return;
-    }
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Limits and decision rule")));
     blocks.emplace_back(std::move(table));
     blocks.emplace_back(Paragraph{decisionText(part), TextSize::small});
 }

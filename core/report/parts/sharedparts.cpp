@@ -114,18 +114,15 @@ Table conditionTable(const TestPart &part) {
     Table table;
     table.columns = {part.write.column(REPORT_TEXT_FOR("report", "Condition", "of a test"), 42),
                      part.write.flexible(REPORT_TEXT_FOR("report", "Stated", "condition"), 133)};
-    QStringList missing;
-    for (const KeyValue &row : conditionRows(part).rows) {
-        if (row.value.isEmpty())
-            missing << row.key;
-        else
-            table.rows.push_back({row.key, row.value});
-    }
+    KeyValues rows = conditionRows(part);
+    const QString missing = takeMissing(rows, part.write);
+    for (const KeyValue &row : rows.rows)
+        table.rows.push_back({row.key, row.value});
     if (const QString correction = correctionOf(part); !correction.isEmpty())
         table.rows.push_back({part.write.text(REPORT_TEXT("report", "Correction to 20 °C")), correction});
     if (!missing.isEmpty()) // in one row, to avoid a row per dash
-        table.rows.push_back({part.write.text(REPORT_TEXT_FOR("report", "Not stated", "conditions")),
-                              missing.join(part.write.semicolon())});
+        table.rows.push_back(
+            {part.write.text(REPORT_TEXT_FOR("report", "Not stated", "conditions")), missing});
     return table;
 }
 

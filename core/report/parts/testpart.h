@@ -96,6 +96,7 @@ struct TestPart {
     int count = 1;
     /// The file under each edition named by the head, in its order; evaluated once for all tests.
     const std::vector<EvaluatedDocument> *views = nullptr;
+    bool annex = true; ///< the report has one
 
     [[nodiscard]] const Document &document() const { return *evaluated.document; }
     [[nodiscard]] const ReportHead &head() const { return document().report; }

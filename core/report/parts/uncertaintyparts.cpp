@@ -88,14 +88,6 @@ QString withCoverage(const QString &method, const QString &coverage) {
     return method + QStringLiteral(", ") + coverage;
 }
 
-constexpr double inThousandths = 1000; ///< of the unit of deviations, because the columns are narrow
-
-QString thousandthOf(Quantity quantity, const Language &language) {
-    return quantity == Quantity::deviation
-               ? QStringLiteral("nm")
-               : language.number(1 / inThousandths, Quantity::number) + language.unit(quantity);
-}
-
 /// U of a result by one method; the deciding one is bold and printed as in the results.
 Cell uncertaintyCell(const TestPart &part, const Parameter &parameter, double value,
                      UncertaintyMethod method) {
@@ -126,9 +118,6 @@ Table resultTable(const TestPart &part) {
         withCoverage(write.text(REPORT_TEXT("report", "With the actual targets (Palmer's method)")), factor)};
     std::vector<Cell> monteCarlo{withCoverage(write.text(REPORT_TEXT("report", "Monte Carlo (GUM-S1)")),
                                               write.text(REPORT_TEXT("report", "95.45 %")))};
-    const std::string thousandth = thousandthOf(quantity, write.language()).toStdString();
-    std::vector<Cell> error{write.say(REPORT_TEXT("report", "2s of this U, in %1"), {thousandth})};
-    std::vector<Cell> tolerance{write.say(REPORT_TEXT("report", "Tolerance of u, in %1"), {thousandth})};
     std::vector<Cell> shift{write.text(REPORT_TEXT("report", "Shift of the mean"))};
     for (const Parameter &parameter : part.evaluation.parameters) {
         if (!isPrinted(parameter, part.head()))
@@ -140,16 +129,6 @@ Table resultTable(const TestPart &part) {
         budget.push_back(shown(parameter.budgetUncertainty, UncertaintyMethod::budget));
         actual.push_back(shown(parameter.actualUncertainty, UncertaintyMethod::budgetActual));
         const auto &simulation = parameter.simulated;
-        const auto small = [&](std::optional<double> value, int digits) {
-            return value && *value > 0 ? Cell(significant(*value * unitScale(quantity) * inThousandths,
-                                                          digits, 2, write.language()))
-                                       : Cell();
-        };
-        error.push_back(small(simulation && simulation->expandedError
-                                  ? std::optional(2 * *simulation->expandedError)
-                                  : std::nullopt,
-                              2));
-        tolerance.push_back(small(simulation ? std::optional(simulation->tolerance()) : std::nullopt, 1));
         monteCarlo.push_back(shown(simulation ? std::optional(simulation->expanded()) : std::nullopt,
                                    UncertaintyMethod::monteCarlo));
         shift.push_back(simulation
@@ -162,7 +141,7 @@ Table resultTable(const TestPart &part) {
     if (axisOf(part.test)) // only axes have targets
         table.rows.push_back(actual);
     if (simulated)
-        table.rows.insert(table.rows.end(), {monteCarlo, error, tolerance, shift});
+        table.rows.insert(table.rows.end(), {monteCarlo, shift});
     return table;
 }
 
@@ -334,6 +313,16 @@ QString methodText(const TestPart &part, std::optional<int> before) {
     if (uncertainty.simulation) {
         const QString differing =
             uncertainty.simulation->mayDecide() ? symbolsOf(part, methodsDiffer) : QString();
+        double spread = 0;
+        for (const Parameter &parameter : part.evaluation.parameters) {
+            if (isPrinted(parameter, part.head()) && parameter.simulated)
+                spread = std::max(spread, 2 * parameter.simulated->expandedError.value_or(0));
+        }
+        if (spread > 0)
+            words << write.say(REPORT_TEXT("report",
+                                           "Twice the standard deviation of U over the blocks of trials: "
+                                           "at most %1."),
+                               {Number{spread, deviationQuantity(part.test), contributionDecimals}});
         if (!differing.isEmpty())
             words << write.say(
                 REPORT_TEXT("report",

@@ -54,9 +54,11 @@ QString clauseOf(const std::vector<const Finding *> &line, const Language &langu
 
 } // namespace
 
-FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &language) {
+FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &language, FindingsOf which) {
     std::vector<std::vector<const Finding *>> lines;
     for (const Finding &finding : evaluation.findings) {
+        if (which != FindingsOf::all && (finding.source == Source::text) != (which == FindingsOf::text))
+            continue;
         const auto found =
             std::ranges::find_if(lines, [&](const auto &line) { return onOneLine(*line.front(), finding); });
         if (found == lines.end())
@@ -71,7 +73,7 @@ FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &lan
     for (const auto &line : lines) {
         const Finding &first = *line.front();
         FindingLine printed;
-        if (source != first.source)
+        if (source != first.source && which != FindingsOf::text)
             printed.heading = headingOf(first.source, evaluation.edition, language);
         source = first.source;
         // An undeclared requirement is no fault: it has the mark of an open one.

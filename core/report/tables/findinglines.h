@@ -8,7 +8,11 @@
 
 namespace palmer {
 
-/// The findings as printed: by source, requirements of the text first; one line per clause and state.
-[[nodiscard]] FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &language);
+enum class FindingsOf { all, text, others };
+
+/// The findings as printed: by source, requirements of the text first; one line per clause and state. Those
+/// of the text alone have no heading.
+[[nodiscard]] FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &language,
+                                         FindingsOf which = FindingsOf::all);
 
 } // namespace palmer

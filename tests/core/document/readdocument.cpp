@@ -549,7 +549,7 @@ private slots:
             named = std::get<std::string>(error.message.arguments.at(1));
         }
         const QStringList words = QString::fromStdString(named).split(" · ");
-        QCOMPARE(words.size(), 6);
+        QCOMPARE(words.size(), 7);
         for (const QString &word : words)
             QCOMPARE(readDocument(QByteArray(two).replace("%", word.toUtf8())).report.leaveOut.size(),
                      std::size_t(1));

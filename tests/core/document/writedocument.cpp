@@ -162,6 +162,7 @@ private slots:
         const auto row = [](const char *name, std::function<void(Document &)> state) {
             QTest::newRow(name) << std::move(state);
         };
+        row("annex", [](Document &d) { d.report.leaveOut = {ReportPart::annex}; });
         row("country", [](Document &d) { d.report.laboratory.country = "FR"; });
         row("contact", [](Document &d) { d.report.customer.contact = "A. Martin"; });
         row("reason of the revision", [](Document &d) { d.report.revisionReason = "wrong date"; });

@@ -50,6 +50,7 @@ private slots:
                     metadata.making.simulated = simulated;
                     metadata.making.edition =
                         simulated.size() == 1 ? QStringLiteral("ISO 230-2:1997") : QString();
+                    metadata.making.annex = simulated.size() != 3;
                     const auto read = readXmp(xmpPacket(metadata));
                     QVERIFY(read);
                     QCOMPARE(read->language, metadata.language);
@@ -127,6 +128,11 @@ private slots:
         for (const char *word : {"", "ISO 230-2:1998", "1997"})
             QVERIFY(!readXmp(xmpPacket(view).replace(">ISO 230-2:1997<", '>' + QByteArray(word) + '<')));
         QVERIFY(!element(xmpPacket(example()), "Edition")); // of a view alone
+        ReportMetadata bare = example();
+        bare.making.annex = false;
+        QCOMPARE(element(xmpPacket(bare), "LeftOut"), QStringLiteral("annex"));
+        QVERIFY(!readXmp(xmpPacket(bare).replace(">annex<", ">readings<")));
+        QVERIFY(!element(xmpPacket(example()), "LeftOut"));
     }
     void whatWeDoNotWriteIsNotRead() {
         QFETCH(const QByteArray, before);

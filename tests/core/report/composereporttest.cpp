@@ -597,7 +597,7 @@ private slots:
     void twoTestsBeginWithASummary() {
         const Report composed = report(document("two-tests"), Language(Language::Id::english));
         const auto heads = blocksOf<TestHead>(composed);
-        QCOMPARE(heads.size(), std::size_t(3)); // the drift test has no page
+        QCOMPARE(heads.size(), std::size_t(4)); // the drift test has no page; the last is that of the annex
         QCOMPARE(heads[0].subtitle, "Summary of 2 tests · ISO 230-2:2006 and ISO 230-2:2014");
         QVERIFY(heads[1].numberNotes.contains("Test 1 of 2"));
         const auto lines = blocksOf<VerdictLine>(composed);
@@ -728,8 +728,9 @@ private slots:
         QCOMPARE(headingsOf(composed).count("Test conditions"), qsizetype(1));
         QCOMPARE(headingsOf(composed).count("Limits and decision rule"), qsizetype(1));
         QVERIFY(all.contains("As for test 1: "));
-        QCOMPARE(headingsOf(composed).count("Readings"), qsizetype(1)); // the same readings
-        QCOMPARE(headingsOf(composed).count("Findings"), qsizetype(2)); // each verdict points to its own
+        QCOMPARE(headingsOf(composed).count("Readings"), qsizetype(1));      // the same readings
+        for (const char *one : {"Findings of test 1", "Findings of test 2"}) // each verdict points to its own
+            QCOMPARE(headingsOf(composed).count(one), qsizetype(1));
     }
 
     void noNameOfAFieldStandsForASymbol_data() { addDocuments(); }
@@ -773,7 +774,7 @@ private slots:
 
     void oneTestHasNoSummary() {
         QCOMPARE(blocksOf<TestHead>(report(document("rotary-axis"), Language(Language::Id::english))).size(),
-                 std::size_t(1));
+                 std::size_t(2)); // and that of the annex
     }
 
     void aStepCycleWithoutAgreementIsNoAcceptance() {
@@ -799,9 +800,9 @@ private slots:
         QTest::addColumn<QString>("heading");
         QTest::newRow("readings") << int(ReportPart::readings) << "Readings";
         QTest::newRow("table per target") << int(ReportPart::targetTable) << "Results per target position";
-        QTest::newRow("uncertainty") << int(ReportPart::uncertainty) << "Measurement uncertainty";
         QTest::newRow("findings") << int(ReportPart::findings) << "Findings";
-        QTest::newRow("signatures") << int(ReportPart::signatures) << "Signatures";
+        QTest::newRow("signatures") << int(ReportPart::signatures) << "Responsibility and signatures";
+        QTest::newRow("annex") << int(ReportPart::annex) << "Results per target position";
     }
     void leavesOutWhatIsNotWanted() {
         QFETCH(int, part);
@@ -815,6 +816,38 @@ private slots:
         // No line points to a page that is not there.
         for (const VerdictLine &line : blocksOf<VerdictLine>(composed))
             QVERIFY(line.anchor.isEmpty() || headingsOf(composed).contains("Findings"));
+    }
+
+    /// Alone it says all that a report has to say: who signs, the program, the whole fingerprint.
+    void theCertificateStandsAlone() {
+        for (const char *name : {"limits-2006", "two-tests"}) {
+            Document changed = *document(name);
+            const Language english(Language::Id::english);
+            const auto annexes = [](const Report &report) {
+                return std::ranges::count_if(blocksOf<TestHead>(report), &TestHead::annex);
+            };
+            const Report whole = report(std::make_shared<const Document>(changed), english);
+            QCOMPARE(annexes(whole), 1);
+            QVERIFY(whole.making.annex);
+            QCOMPARE(blocksOf<EndMark>(whole).front().anchor, "annex");
+            changed.report.leaveOut = {ReportPart::annex};
+            const auto alone = std::make_shared<const Document>(changed);
+            const Report certificate = report(alone, english);
+            QCOMPARE(annexes(certificate), 0);
+            QVERIFY(!certificate.making.annex);
+            const QString text = pageText(certificate);
+            for (const QString &needed :
+                 {QString("Responsibility and signatures"), QString("Limits and decision rule"),
+                  certificate.fingerprint, QString("self-test against reference data passed")})
+                QVERIFY2(text.contains(needed), qPrintable(needed));
+            for (const char *ofTheAnnex : {"Readings", "Uncertainty budget", "Annex"})
+                QVERIFY2(!headingsOf(certificate).contains(ofTheAnnex), ofTheAnnex);
+            // Whatever the file says, an option has the same effect.
+            changed.report.leaveOut = {};
+            const auto file = std::make_shared<const Document>(changed);
+            QVERIFY(!composeReport(evaluate(file), english, {"Palmer 0.1.0", true, {}, {}, {}, false})
+                         .making.annex);
+        }
     }
 
     void theDriftCurveStandsBesideTheBudgetThatTakesIt() {

@@ -77,7 +77,8 @@ private slots:
         report.blocks = {line, line};
         std::get<VerdictLine>(report.blocks[1]).anchor = "findings-2";
         QCOMPARE(pageText(report), "a  b\nc\nd  e  see page –.\na  b\nc\nd  e  see page –.\n");
-        report = withPages(report, {{"findings-1", 3}});
+        for (Block &block : report.blocks)
+            QVERIFY(putPages(block, {{"findings-1", 3}}));
         QCOMPARE(pageText(report), "a  b\nc\nd  e  see page 3.\na  b\nc\nd  e  see page –.\n");
     }
 
@@ -87,9 +88,9 @@ private slots:
         table.columns[1].pages = true;
         table.rows = {{Cell("1"), Cell()}, {Cell("2"), Cell()}, {Cell("adjusted"), blankCell()}};
         table.links = {"test-1", "test-2", "test-1"};
-        Report report;
-        report.blocks = {table};
-        QCOMPARE(pageText(withPages(report, {{"test-1", 4}})), "Test  Page\n1  4\n2  –\nadjusted\n");
+        Block block = table;
+        QVERIFY(putPages(block, {{"test-1", 4}}));
+        QCOMPARE(pageText(block), "Test  Page\n1  4\n2  –\nadjusted\n");
     }
 
     void aTerminalShowsEveryBlock() {

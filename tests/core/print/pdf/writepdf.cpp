@@ -37,13 +37,15 @@ std::map<QString, int> anchorPages(const Report &report, const QStringList &page
     qsizetype page = 0;
     for (const Block &block : report.blocks) {
         const auto *heading = std::get_if<Heading>(&block);
-        if (!heading)
+        const auto *head = std::get_if<TestHead>(&block);
+        if (!heading && !(head && head->annex))
             continue;
-        const QString words = squeezed(heading->text + heading->note.plain());
+        const QString words =
+            squeezed(heading ? heading->text + heading->note.plain() : head->title + head->subtitle);
         while (page < pages.size() && !squeezed(pages[page]).contains(words))
             ++page;
-        if (!heading->anchor.isEmpty())
-            result[heading->anchor] = static_cast<int>(page) + 1;
+        if (const QString anchor = anchorOf(block); !anchor.isEmpty())
+            result[anchor] = static_cast<int>(page) + 1;
     }
     return result;
 }
@@ -110,7 +112,10 @@ void takeBeginning(QString &text, const QStringList &beginnings) {
 void compare(const Report &composed, const QByteArray &pdf) {
     const QStringList pages = pageTexts(pdf);
     const auto found = anchorPages(arrangedForPages(composed), pages); // in the order of the pages
-    const Report report = arrangedForPages(withPages(composed, found));
+    Report numbered = composed;
+    for (Block &block : numbered.blocks)
+        putPages(block, found);
+    const Report report = arrangedForPages(numbered);
     const QString expected = expectedText(report);
     const QStringList heads = tableHeads(report);
     QStringList runningHeads;
@@ -283,7 +288,7 @@ void WritePdf::logoIsPartOfTheHead() {
     }
     const QByteArray pdf = pdfOf(report);
     const QByteArray list = run(u"pdfimages"_s, {u"-list"_s, u"-"_s}, pdf);
-    QCOMPARE(list.trimmed().count('\n') - 1, images); // no mask: opaque
+    QCOMPARE(list.trimmed().count('\n') - 1, 2 * images); // of certificate and annex; no mask: opaque
     compare(report, pdf);
     // 10 mm high from the top margin, at the left margin.
     constexpr int perInch = 254;
@@ -469,8 +474,10 @@ void WritePdf::bookmarksAndLinksLeadToTheirPages() {
         }
     }
     qsizetype heads = 0;
-    for (const Block &block : report.blocks)
-        heads += std::holds_alternative<TestHead>(block) ? 1 : 0;
+    for (const Block &block : report.blocks) {
+        const auto *head = std::get_if<TestHead>(&block);
+        heads += head && !head->annex ? 1 : 0;
+    }
     QVERIFY(heads > 2);
     QVERIFY2(tests > heads, "summary, tests, and what stands behind them");
     QVERIFY(sections > 3 * heads);

@@ -31,9 +31,9 @@ inline std::size_t below(Random &random, std::size_t n) {
 }
 
 /// A report as the program writes it, with its attachments.
-inline QByteArray reportPdf(const EvaluatedDocument &evaluated, Language::Id language) {
-    const Report report =
-        composeReport(evaluated, Language(language), {u"Palmer " PALMER_VERSION ""_s, true, {}, {}});
+inline QByteArray reportPdf(const EvaluatedDocument &evaluated, Language::Id language, bool annex = true) {
+    const Report report = composeReport(evaluated, Language(language),
+                                        {u"Palmer " PALMER_VERSION ""_s, true, {}, {}, {}, annex});
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     writePdf(report, buffer, attachedResults(evaluated));

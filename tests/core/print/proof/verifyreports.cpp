@@ -81,6 +81,8 @@ Document madeDocument(const std::vector<Document> &stored, Random &random) {
     document.report.paper = below(random, 2) == 0 ? Paper::a4 : Paper::letter;
     if (below(random, 3) == 0)
         document.report.leaveOut = {ReportPart::readings};
+    if (below(random, 5) == 0)
+        document.report.leaveOut.push_back(ReportPart::annex);
     if (below(random, 4) == 0)
         document.report.date.reset();
     return document;
@@ -90,7 +92,7 @@ Made made(const std::vector<Document> &stored, Random &random) {
     Made result;
     result.evaluated = evaluate(std::make_shared<const Document>(madeDocument(stored, random)));
     result.language = below(random, 2) == 0 ? Language::Id::french : Language::Id::english;
-    result.pdf = reportPdf(result.evaluated, result.language);
+    result.pdf = reportPdf(result.evaluated, result.language, below(random, 5) != 0);
     return result;
 }
 
