@@ -4,6 +4,7 @@
 
 #include "kernel/diagnosis/influences.h"
 #include "kernel/measurement/circular.h"
+#include "kernel/measurement/drift.h"
 #include "kernel/measurement/positioning.h"
 
 #include <string_view>
