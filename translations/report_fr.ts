@@ -4039,7 +4039,7 @@
     </message>
     <message>
         <source>Agreed working zone</source>
-        <translation>Zone de travail normal convenue</translation>
+        <translation>Zone de travail convenue</translation>
     </message>
     <message>
         <source>The 2 000 mm (360°) of a long axis that were agreed for the full test. A test whose targets lie inside is judged as that of a short axis.</source>

@@ -3095,7 +3095,7 @@
     </message>
     <message>
         <source>T&amp;hermal behaviour</source>
-        <translation>Comportement t&amp;hermique</translation>
+        <translation>Comportement &amp;thermique</translation>
     </message>
 </context>
 <context>
@@ -5565,8 +5565,8 @@ est la même machine que&#xa0;:</translation>
         <translation>C&amp;omparaison</translation>
     </message>
     <message>
-        <source>&amp;Thermal behaviour</source>
-        <translation>Comportement &amp;thermique</translation>
+        <source>Thermal &amp;behaviour</source>
+        <translation>Comportement ther&amp;mique</translation>
     </message>
 </context>
 <context>

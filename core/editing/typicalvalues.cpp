@@ -81,6 +81,8 @@ std::vector<TestPointer> driftTestsFor(const Document &document, const Test &tes
 std::vector<TypicalValue> typicalValues(const Document &document, const Test &test,
                                         const Language &language) {
     std::vector<TypicalValue> values;
+    if (std::holds_alternative<DriftMeasurement>(test.measurement))
+        return values; // has no uncertainty
     if (!axisOf(test))
         addCircular(values, document, test, language);
     else if (motionOf(test) == Motion::linear)

@@ -13,6 +13,7 @@
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/words/shortest.h"
 #include "language/rounding.h"
+#include "language/visibletext.h"
 #include "report/parts/parts.h"
 #include "report/words/accordancetext.h"
 #include "report/words/wording.h"
@@ -119,7 +120,7 @@ private:
             m_xml.writeEndElement();
     }
     void leaf(const char *name, const QString &text) {
-        m_xml.writeTextElement(QString::fromLatin1(name), text.trimmed());
+        m_xml.writeTextElement(QString::fromLatin1(name), visibleText(text.trimmed()));
     }
     void leaf(const char *name, const std::string &text) { leaf(name, QString::fromStdString(text)); }
     void leafIfStated(const char *name, const std::string &text) {
@@ -131,7 +132,7 @@ private:
         m_xml.writeStartElement(QStringLiteral("dcc:content"));
         if (language)
             m_xml.writeAttribute(QStringLiteral("lang"), QString::fromLatin1(language));
-        m_xml.writeCharacters(text.trimmed());
+        m_xml.writeCharacters(visibleText(text.trimmed()));
         m_xml.writeEndElement();
     }
     /// A text that the user entered, or one in both languages.

@@ -258,6 +258,8 @@ QStringList OptionEffectTest::valuesOf(const QString &name) const {
         {"--noise", {"0.7"}},
         {"--correlation", {"0.5"}},
         {"--resolution", {"0.1"}},
+        {"--hours", {"4"}},
+        {"--step", {"120"}},
     };
     const auto found = known.find(name);
     return found == known.end() ? QStringList() : found->second;

@@ -368,6 +368,8 @@ private:
 
     /// Every text and every number of the file stands on a page, numbers with all their digits.
     void statementsOnPages(const QString &page) {
+        const auto &leftOut = document().report.leaveOut;
+        const bool hasTables = std::ranges::find(leftOut, ReportPart::annex) == leftOut.end();
         const auto walk = [&](const auto &self, const Json &at, const std::string &place,
                               const std::string &key) -> void {
             if (at.is_string()) {
@@ -393,7 +395,7 @@ private:
                     violated("nothing lost", place + " " + at.dump());
             } else if (at.is_object()) {
                 for (const auto &[inner, below] : at.items()) {
-                    if (!drawn.contains(inner))
+                    if (!drawn.contains(inner) && (hasTables || inner != "targets"))
                         self(self, below, place + "." + inner, inner);
                 }
             } else if (at.is_array()) {
@@ -861,6 +863,7 @@ std::string fileOf(std::uint64_t seed) {
 std::vector<std::string> claimingDefaults() {
     static const std::set<std::string> chosen{
         "motion",
+        "quantity",
         "source",
         "angleReference", // what makes readings results at all
         "standardDeviation",
@@ -874,6 +877,7 @@ std::vector<std::string> claimingDefaults() {
         "seed",
         "kind",
         "sameSensor",
+        "setUpUntouched", // only true is printed, false is as not stated
         "coverageFactor", // how an uncertainty is made
         "signatures",
         "languages",

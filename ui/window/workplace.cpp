@@ -972,7 +972,7 @@ void Workplace::retranslate() {
     m_tabs->setTabText(4, tr("U&ncertainty"));
     m_tabs->setTabText(5, tr("C&omparison"));
     m_tabs->setTabText(6, tr("Dia&gnosis"));
-    m_tabs->setTabText(7, tr("&Thermal behaviour"));
+    m_tabs->setTabText(7, tr("Thermal &behaviour"));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
     m_circles->setLanguage(language);

@@ -94,11 +94,15 @@ private slots:
     void onlyCirclesHaveTheTab() {
         const ShownWindow shown(examplePath("iso230-2-1988-example"));
         auto *tabs = shown.find<PageTabs>("pageTabs");
-        QVERIFY(!tabs->isTabVisible(5));
+        int diagnosis = 0;
+        while (diagnosis < tabs->count() && !tabs->tabText(diagnosis).remove(u'&').contains("Diagnosis"))
+            ++diagnosis;
+        QVERIFY(diagnosis < tabs->count());
+        QVERIFY(!tabs->isTabVisible(diagnosis));
         shown.window->workplace().showPage(Page::diagnosis); // the shortcut
         QCOMPARE(shown.window->workplace().selection().page(), Page::readings);
         const ShownWindow circle(examplePath("iso230-4-full-circles-xy"));
-        QVERIFY(circle.find<PageTabs>("pageTabs")->isTabVisible(5));
+        QVERIFY(circle.find<PageTabs>("pageTabs")->isTabVisible(diagnosis));
     }
 
     void theStartAngleIsCorrectedAndUndone() {

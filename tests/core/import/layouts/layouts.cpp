@@ -714,9 +714,10 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,run+,ignored,ignored,run-,ignored / 0 100 / ↑ 1 2 / ↓ 4 5 / columns columns");
     // Series over time.
     row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
-        "time,deviation,temperature / drift  0:0 60:1 120:2 / ");
+        "time,deviation,temperature / channel Deviation 0:0 60:1 120:2 / temperature Temp 0:20 60:20.1 "
+        "120:20.2 / ");
     row("two deviations over time", "Time (s);Dev X (µm);Dev Y (µm)\n0;0;5\n60;1;6\n",
-        "time,deviation,ignored / drift  0:0 60:1 / columns");
+        "time,deviation,deviation / channel X 0:0 60:1 / channel Y 0:5 60:6 / ");
     row("archive lines",
         "MILL:X 2024-03-05 10:00:00.000 0.001\nMILL:X 2024-03-05 10:01:00.000 0.002\nMILL:X 2024-03-06 "
         "10:01:00.000 0.003\n",
