@@ -24,8 +24,8 @@ constexpr double roomUntil = 16.5;      ///< smallest font size that needs scali
 constexpr QSizeF leastScreen(640, 440); ///< smallest screen, in scaled pixels
 constexpr auto enlarged = "enlarged";
 
-/// Signs that no font of the machine may have (⚠, ✓, ↺) come from one of the program, and letters from that of
-/// the reports if the machine has no font at all.
+/// Signs that no font of the machine may have (⚠, ✓, ↺) come from one of the program, and letters from that
+/// of the reports if the machine has no font at all.
 void addFonts() {
     QFont font = QApplication::font();
     if (QRawFont::fromFont(font).fontTable("cmap").isEmpty()) { // Qt's boxes

@@ -21,7 +21,8 @@ int leftOf(const QString &icon) {
 }
 
 QSize sizeOf(const QString &text, const QString &icon) {
-    return {QFontMetrics(themeFont(TextSize::small)).horizontalAdvance(text) + leftOf(icon) + margin, chipHeight};
+    return {QFontMetrics(themeFont(TextSize::small)).horizontalAdvance(text) + leftOf(icon) + margin,
+            chipHeight};
 }
 
 /// Ground and icon; a pen that is set draws the border of the focus.
@@ -94,7 +95,8 @@ void LinkChip::paintEvent(QPaintEvent *) {
     underlined.setUnderline(true);
     drawElided(painter, rect().adjusted(leftOf(m_icon), 0, -arrowWidth, 0), Qt::AlignLeft, text(), underlined,
                colour);
-    drawLineIcon(painter, QRect(width() - arrowWidth - 2, 0, arrowWidth, height()), QStringLiteral("right"), colour);
+    drawLineIcon(painter, QRect(width() - arrowWidth - 2, 0, arrowWidth, height()), QStringLiteral("right"),
+                 colour);
 }
 
 } // namespace palmer::ui

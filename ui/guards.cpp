@@ -67,7 +67,8 @@ public:
         const auto *press = static_cast<QKeyEvent *>(event);
         const bool isEnter = press->key() == Qt::Key_Return || press->key() == Qt::Key_Enter;
         const auto *tool = qobject_cast<QToolButton *>(button);
-        if (!isEnter || press->modifiers() & ~Qt::KeypadModifier || !button->isEnabled() || (tool && tool->menu()))
+        if (!isEnter || press->modifiers() & ~Qt::KeypadModifier || !button->isEnabled() ||
+            (tool && tool->menu()))
             return false;
         button->click();
         return true;
@@ -185,9 +186,9 @@ void commitTyping() {
 }
 
 void guardWidgets(QApplication &application) {
-    for (QObject *guard : std::initializer_list<QObject *>{
-             new WheelGuard(&application), new EnterGuard(&application), new BoxGuard(&application),
-             new TypingGuard(&application)})
+    for (QObject *guard :
+         std::initializer_list<QObject *>{new WheelGuard(&application), new EnterGuard(&application),
+                                          new BoxGuard(&application), new TypingGuard(&application)})
         application.installEventFilter(guard);
     guardDialogs(application);
 }

@@ -70,7 +70,8 @@ enum class ThemeChoice { system, light, dark };
 /// Takes effect at once.
 void setThemeChoice(ThemeChoice choice);
 
-/// Size of all texts of the windows, in steps of a tenth of the system's, −2 … 5. Kept in the user's settings.
+/// Size of all texts of the windows, in steps of a tenth of the system's, −2 … 5. Kept in the user's
+/// settings.
 [[nodiscard]] int textSizeStep();
 /// Takes effect at once; beyond the ends, the nearest.
 void setTextSizeStep(int step);

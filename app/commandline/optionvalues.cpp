@@ -181,9 +181,9 @@ std::optional<Dialect> dialectOf(const Invocation &invocation, const char *optio
     const auto word = invocation.value(option);
     if (!word)
         return otherwise;
-    return std::ranges::find_if(dialects(), [&](const DialectName &each) {
-               return *word == QLatin1StringView(each.word);
-           })->dialect; // parseArguments() has checked the word
+    return std::ranges::find_if(
+               dialects(), [&](const DialectName &each) { return *word == QLatin1StringView(each.word); })
+        ->dialect; // parseArguments() has checked the word
 }
 
 } // namespace palmer

@@ -23,14 +23,12 @@ namespace palmer {
 namespace {
 
 constexpr const char *tables = "as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
-constexpr const char *notJson =
-    "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv|as=program";
+constexpr const char *notJson = "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv|as=program";
 
 constexpr auto exportOptions = optionList(
     Option{"as", "csv|json|dcc|linuxcnc|siemens|weihong|compensation-csv|program",
-           REPORT_TEXT("report",
-                       "what to write: readings and results, a digital calibration certificate, a "
-                       "compensation table, or the part program of the test's own targets")},
+           REPORT_TEXT("report", "what to write: readings and results, a digital calibration certificate, a "
+                                 "compensation table, or the part program of the test's own targets")},
     Option{"dialect", "iso|siemens|heidenhain|linuxcnc|haas",
            REPORT_TEXT("report", "program: without it that of the machine's control"), false, "as=program"},
     Option{"o", "OUT", REPORT_TEXT("report", "the file to write")},
@@ -235,11 +233,10 @@ QByteArray ownProgram(const Invocation &invocation, const Document &document, st
     if (const auto over = overtravelText(program, plan->planned.request)) {
         const Quantity position = program.motion == Motion::linear ? Quantity::position : Quantity::angle;
         const Interval moved = movedThrough(program);
-        printError(
-            invocation.language.sentence(
-                {REPORT_TEXT("report", "The axis moves from %1 to %2."),
-                 {Number{moved.from, position, program.decimals}, Number{moved.to, position, program.decimals}}}) +
-            u' ' + invocation.language.sentence(*over));
+        printError(invocation.language.sentence({REPORT_TEXT("report", "The axis moves from %1 to %2."),
+                                                 {Number{moved.from, position, program.decimals},
+                                                  Number{moved.to, position, program.decimals}}}) +
+                   u' ' + invocation.language.sentence(*over));
     }
     return written;
 }
@@ -301,9 +298,8 @@ int runExport(const Invocation &invocation) {
 
 Command exportCommand() {
     return {"export", "FILE",
-            REPORT_TEXT("report",
-                        "readings and results, a digital calibration certificate, a compensation "
-                        "table with what it would bring, or the part program of a test"),
+            REPORT_TEXT("report", "readings and results, a digital calibration certificate, a compensation "
+                                  "table with what it would bring, or the part program of a test"),
             exportOptions, runExport};
 }
 

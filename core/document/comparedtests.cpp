@@ -53,8 +53,8 @@ std::vector<ComparedSource> comparedSources(const PlacedTest &before, const Plac
 
 namespace {
 
-constexpr int fullTurn = 360;   ///< degrees
-constexpr double reach = 5; ///< degrees: farther apart, nothing is known between two points
+constexpr int fullTurn = 360; ///< degrees
+constexpr double reach = 5;   ///< degrees: farther apart, nothing is known between two points
 constexpr double toDegrees = 180 / std::numbers::pi;
 
 /// The deviations of a path about its least squares centre, from 0° on, mm.
@@ -78,8 +78,8 @@ std::optional<double> at(const std::vector<std::pair<double, double>> &path, dou
         std::ranges::lower_bound(path, angle, {}, [](const auto &point) { return point.first; });
     const auto next =
         above == path.end() ? std::pair(path.front().first + fullTurn, path.front().second) : *above;
-    const auto last =
-        above == path.begin() ? std::pair(path.back().first - fullTurn, path.back().second) : *std::prev(above);
+    const auto last = above == path.begin() ? std::pair(path.back().first - fullTurn, path.back().second)
+                                            : *std::prev(above);
     const double gap = next.first - last.first;
     if (gap > reach)
         return std::nullopt;

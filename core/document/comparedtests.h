@@ -39,8 +39,8 @@ struct StatedComparison {
 [[nodiscard]] std::shared_ptr<const StatedComparison> statedComparison(const EvaluatedDocument &evaluated,
                                                                        std::size_t test);
 
-/// A machine error that the diagnosis of both circles values, in base units. U: t(0.975; ν)·√(u_a² + u_b²), ν by
-/// Welch and Satterthwaite.
+/// A machine error that the diagnosis of both circles values, in base units. U: t(0.975; ν)·√(u_a² + u_b²), ν
+/// by Welch and Satterthwaite.
 struct ComparedSource {
     InfluenceId id = InfluenceId::centre;
     Message name;
@@ -50,8 +50,8 @@ struct ComparedSource {
 };
 [[nodiscard]] std::vector<ComparedSource> comparedSources(const PlacedTest &before, const PlacedTest &after);
 
-/// The difference of the paths of one sense, each about its own least squares centre; after − before, mm, over
-/// whole degrees. Angles where one of them has no points within a few degrees are left out.
+/// The difference of the paths of one sense, each about its own least squares centre; after − before, mm,
+/// over whole degrees. Angles where one of them has no points within a few degrees are left out.
 struct ComparedPath {
     Sense sense = Sense::counterclockwise;
     std::vector<std::pair<double, double>> points;

@@ -163,7 +163,8 @@ ConditionsForm conditionsForm(const Test &test, const TestEvaluation &evaluation
     const std::vector<std::string_view> conditions = conditionKeys(test);
     const auto isMissing = [&](std::string_view key) {
         return std::ranges::any_of(evaluation.findings, [key](const Finding &finding) {
-            return lackOf(finding) == Lack::required && finding.subject == Subject::conditions && !finding.keys.empty() &&
+            return lackOf(finding) == Lack::required && finding.subject == Subject::conditions &&
+                   !finding.keys.empty() &&
                    finding.keys.front().substr(finding.keys.front().rfind('.') + 1) == key;
         });
     };

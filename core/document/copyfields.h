@@ -73,8 +73,8 @@ private:
     std::size_t m_next = 0;
 };
 
-/// Copies the fields with one of the demands, also in nested structs, and leaves the rest unchanged; all fields of
-/// the struct for `nothing`.
+/// Copies the fields with one of the demands, also in nested structs, and leaves the rest unchanged; all
+/// fields of the struct for `nothing`.
 template <class Struct>
 void copyFields(Struct &to, const Struct &from, unsigned demands, Copied copied) {
     FieldCopier copier(demands, copied);

@@ -32,8 +32,8 @@ struct PlanOfTest {
     CycleProgram program;
 };
 
-/// Returns targets, runs, directions and cycle as the test has them, the rest like plannedFor(); null for a test
-/// without targets and for other kinds. Positions have as many decimals as the targets need, 3 to 9.
+/// Returns targets, runs, directions and cycle as the test has them, the rest like plannedFor(); null for a
+/// test without targets and for other kinds. Positions have as many decimals as the targets need, 3 to 9.
 [[nodiscard]] std::optional<PlanOfTest> planOf(const Test &test);
 
 } // namespace palmer

@@ -175,7 +175,8 @@ void fillLike(Document &document, std::size_t index, const Document &source, std
                 test.decisionRule = like.decisionRule;
         }
         for (const AgreedPoint &point : like.agreedPoints) {
-            if (std::ranges::find(test.agreedPoints, point.point, &AgreedPoint::point) == test.agreedPoints.end())
+            if (std::ranges::find(test.agreedPoints, point.point, &AgreedPoint::point) ==
+                test.agreedPoints.end())
                 test.agreedPoints.push_back(point);
         }
         std::visit(

@@ -17,20 +17,21 @@ namespace palmer {
 /// effect on drift tests, which state no conditions.
 void takeStatements(Test &test, const Test &from);
 
-/// Removes what is measured or stated on the day of a test: date, time, temperatures, gradient, pressure, humidity,
-/// drift, the declaration on its accordance.
+/// Removes what is measured or stated on the day of a test: date, time, temperatures, gradient, pressure,
+/// humidity, drift, the declaration on its accordance.
 void forgetDay(Test &test);
 
-/// Fills what is not stated of the machine and of test `index` with what test `from` of the same machine states:
-/// instruments, conditions, agreed points, inputs of the budget; for the same axis or plane also its data, limits
-/// and decision rule. Overwrites nothing, and takes nothing that is measured on the day of a test.
+/// Fills what is not stated of the machine and of test `index` with what test `from` of the same machine
+/// states: instruments, conditions, agreed points, inputs of the budget; for the same axis or plane also its
+/// data, limits and decision rule. Overwrites nothing, and takes nothing that is measured on the day of a
+/// test.
 void fillLike(Document &document, std::size_t index, const Document &source, std::size_t from);
 
 /// True if both tests are of one kind and of the same axis or plane.
 [[nodiscard]] bool areOfOneAxis(const Test &test, const Test &other);
 
-/// Returns the newest other test of the document that test `index` can be filled like, rather one of its axis; null
-/// if there is none.
+/// Returns the newest other test of the document that test `index` can be filled like, rather one of its
+/// axis; null if there is none.
 [[nodiscard]] std::optional<std::size_t> lastTestLike(const Document &document, std::size_t index);
 
 } // namespace palmer

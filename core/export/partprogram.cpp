@@ -214,10 +214,9 @@ void comments(ProgramWriter &writer, const CycleProgram &program, Dialect dialec
         REPORT_TEXT("report", "positioning test of axis %1; targets: %2; runs each way: %3"),
         {program.axis, wholeNumber(program.targets.size()), wholeNumber(program.runs)}));
     const Interval moved = movedThrough(program);
-    writer.comment(
-        language.sentence(REPORT_TEXT("report", "moves from %1 to %2: check the room before the start"),
-                          {Number{moved.from, position, program.decimals},
-                           Number{moved.to, position, program.decimals}}));
+    writer.comment(language.sentence(
+        REPORT_TEXT("report", "moves from %1 to %2: check the room before the start"),
+        {Number{moved.from, position, program.decimals}, Number{moved.to, position, program.decimals}}));
     if (dialect == Dialect::heidenhain)
         writer.comment(language.text(REPORT_TEXT(
             "report", "positions in the active datum: set it before the start; for a compensation table at "

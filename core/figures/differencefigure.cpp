@@ -3,8 +3,8 @@
 #include "figures/differencefigure.h"
 
 #include "figures/curvefield.h"
-#include "figures/ticks.h"
 #include "figures/testfigures.h"
+#include "figures/ticks.h"
 
 namespace palmer {
 
@@ -88,10 +88,11 @@ LineFigure pathDifferenceFigure(const std::vector<ComparedPath> &paths, const La
     Bounds values;
     for (const ComparedPath &path : paths) {
         const bool ccw = path.sense == Sense::counterclockwise;
-        FigureLine line{ccw ? LineRole::counterclockwise : LineRole::clockwise,
-                        {},
-                        language.text(ccw ? REPORT_TEXT("report", "anticlockwise") : REPORT_TEXT("report", "clockwise")),
-                        {}};
+        FigureLine line{
+            ccw ? LineRole::counterclockwise : LineRole::clockwise,
+            {},
+            language.text(ccw ? REPORT_TEXT("report", "anticlockwise") : REPORT_TEXT("report", "clockwise")),
+            {}};
         for (const auto &[angle, deviation] : path.points) {
             line.points.emplace_back(angle, deviation * scale);
             values.include(deviation * scale);

@@ -15,7 +15,7 @@ namespace palmer {
 /// Reading of one run at the target, in the unit of the axis.
 struct StripReading {
     double value = 0;
-    std::size_t run = 0; ///< index in the measurement
+    std::size_t run = 0;  ///< index in the measurement
     bool isAside = false; ///< shown, but in no statistic
 
     bool operator==(const StripReading &) const = default;

@@ -260,7 +260,8 @@ private:
         const auto countOf = [this](const std::string &name) { // "deviation 1", "deviation 2"
             std::size_t count = 0;
             for (std::size_t column = 0; column < m_heading->count; ++column)
-                count += textOf(*m_heading, column).starts_with(name + ' ' + std::to_string(count + 1)) ? 1 : 0;
+                count +=
+                    textOf(*m_heading, column).starts_with(name + ' ' + std::to_string(count + 1)) ? 1 : 0;
             return count;
         };
         const std::size_t channels = countOf(palmercsv::deviation);

@@ -12,7 +12,8 @@ inline constexpr const char *unit = "unit";           ///< of all lengths, or of
 inline constexpr const char *sign = "sign";           ///< of the deviations of an axis
 inline constexpr const char *target = "P";            ///< heading of the target column
 inline constexpr const char *deviation = "deviation"; ///< heading of readings: "deviation 2 ↑ (mm)"
-inline constexpr const char *temperature = "temperature"; ///< heading of those of a drift test: "temperature 1 (°C)"
+inline constexpr const char *temperature =
+    "temperature"; ///< heading of those of a drift test: "temperature 1 (°C)"
 inline constexpr const char *parameter = "parameter"; ///< first heading of the results
 
 } // namespace palmer::palmercsv

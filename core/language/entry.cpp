@@ -162,11 +162,12 @@ MomentEntry enteredDate(QStringView typed, const Language &language) {
         return {{}, Message{notADate}};
     constexpr int firstOfTwoDigits = 70;
     const int digits = match.captured(4).toInt();
-    const int year = match.captured(4).size() > 2 ? digits : digits + (digits < firstOfTwoDigits ? 2000 : 1900);
+    const int year =
+        match.captured(4).size() > 2 ? digits : digits + (digits < firstOfTwoDigits ? 2000 : 1900);
     const int first = match.captured(1).toInt();
     const int second = match.captured(3).toInt();
-    const bool isWrittenBothWays = language.id() == Language::Id::english &&
-                                   (match.captured(2) == u"/" || match.captured(2) == u"-");
+    const bool isWrittenBothWays =
+        language.id() == Language::Id::english && (match.captured(2) == u"/" || match.captured(2) == u"-");
     const MomentEntry dayFirst = day(year, second, first);
     const MomentEntry monthFirst = isWrittenBothWays ? day(year, first, second) : MomentEntry();
     if (dayFirst.value && monthFirst.value && first != second)

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "kernel/measurement/axis.h"
-#include "kernel/words/quantity.h"
 #include "kernel/words/message.h"
+#include "kernel/words/quantity.h"
 #include "kernel/words/text.h"
 #include "language/language.h"
 #include "language/units.h"
@@ -43,9 +43,9 @@ struct MomentEntry {
     std::optional<Message> refusal;
 };
 
-/// Parses a date: 2026-03-12, 12.03.2026, 12.3.26, "12 mars 2026", "12 March 2026", "today", "aujourd’hui". The day
-/// comes first. With slashes or hyphens in English, which is written both ways, a date is refused with both its
-/// readings unless only one of them exists. Years of two digits are 1970 to 2069.
+/// Parses a date: 2026-03-12, 12.03.2026, 12.3.26, "12 mars 2026", "12 March 2026", "today", "aujourd’hui".
+/// The day comes first. With slashes or hyphens in English, which is written both ways, a date is refused
+/// with both its readings unless only one of them exists. Years of two digits are 1970 to 2069.
 [[nodiscard]] MomentEntry enteredDate(QStringView typed, const Language &language);
 
 /// Parses a time of day: 14:02, 14 h 02, 9:05.

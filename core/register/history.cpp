@@ -241,9 +241,8 @@ private:
             const Watched &first = exceeded.front();
             line.mark = Mark::cross;
             line.label = text(REPORT_TEXT("report", "Exceeded at the last test"));
-            line.word =
-                say(REPORT_TEXT("report", "%1: %2"),
-                    {symbolAndAxis(first).toStdString(), newestOf(*first.trend).toStdString()});
+            line.word = say(REPORT_TEXT("report", "%1: %2"),
+                            {symbolAndAxis(first).toStdString(), newestOf(*first.trend).toStdString()});
             line.limits = {text(REPORT_TEXT("report", "Limit")), Mark::none, limitOf(*first.trend), {}};
             QStringList others;
             for (const Watched &one : std::span(exceeded).subspan(1))
@@ -262,8 +261,9 @@ private:
             line.word =
                 say(REPORT_TEXT("report", "%1: %2"), {symbolAndAxis(list.front()).toStdString(),
                                                       trendStatement(trend, m_language).toStdString()});
-            line.limits = {text(REPORT_TEXT("report", "Limit")), Mark::none, limitOf(trend),
-                           say(REPORT_TEXT("report", "%1 at the last test"), {newestOf(trend).toStdString()})};
+            line.limits = {
+                text(REPORT_TEXT("report", "Limit")), Mark::none, limitOf(trend),
+                say(REPORT_TEXT("report", "%1 at the last test"), {newestOf(trend).toStdString()})};
             if (list.size() > 1)
                 line.accordance = statementOf(REPORT_TEXT("report", "Then"), list[1]);
         }

@@ -271,14 +271,16 @@ BarFigure typeFigure(const TypeTest &test, const Language &language) {
     figure.x.symbol = symbol;
     figure.x.unit = language.unit(quantity);
     double largest = 0;
-    const auto add = [&](const QString &id, const QString &name, double value, const QString &shown, bool first) {
+    const auto add = [&](const QString &id, const QString &name, double value, const QString &shown,
+                         bool first) {
         figure.bars.push_back({id, name, {}, value * scale, shown, {}, first});
         largest = std::max(largest, value * scale);
     };
     for (std::size_t i = 0; i < test.members.size(); ++i) {
         const TypeMember &member = test.members[i];
         const ShownValue shown = shownResult(member.result, test.angular, language);
-        add(QStringLiteral("machine%1").arg(i + 1), member.machine.title(), *member.result.value, shown.text(), false);
+        add(QStringLiteral("machine%1").arg(i + 1), member.machine.title(), *member.result.value,
+            shown.text(), false);
     }
     if (test.statistics) {
         for (const auto &[distribution, name] :

@@ -62,7 +62,7 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
                                                        : REPORT_TEXT("report", "step cycle")));
     add(REPORT_TEXT("report", "Runs each way"),
         language.number(program.runs, Quantity::count) +
-            QLatin1StringView(!program.only                             ? ""
+            QLatin1StringView(!program.only                          ? ""
                               : *program.only == Direction::positive ? " ↑"
                                                                      : " ↓"));
     add(REPORT_TEXT("report", "Feed rate"),
@@ -117,8 +117,7 @@ void add(Report &report, const PlannedMeasurement &planned, const CycleProgram &
     report.blocks.emplace_back(
         Heading{2, language.text(REPORT_TEXT("report", "Readings, in the order they are taken"))});
     for (int first = 0; first < program.runs; first += runsBeside)
-        report.blocks.emplace_back(
-            table(plan, request, program, first, language));
+        report.blocks.emplace_back(table(plan, request, program, first, language));
 }
 
 } // namespace

@@ -19,9 +19,10 @@ namespace palmer {
 [[nodiscard]] Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgram &program,
                                  const Language &language);
 
-/// What is wrong with a cycle that moves beyond its axis; null if it does not. It follows the sentence that says
-/// from where to where the axis moves.
-[[nodiscard]] std::optional<Message> overtravelText(const CycleProgram &program, const TargetRequest &request);
+/// What is wrong with a cycle that moves beyond its axis; null if it does not. It follows the sentence that
+/// says from where to where the axis moves.
+[[nodiscard]] std::optional<Message> overtravelText(const CycleProgram &program,
+                                                    const TargetRequest &request);
 
 /// Only the targets, one per line: number, tab, position with a decimal point.
 [[nodiscard]] QString targetList(const TargetPlan &plan, int decimals);

@@ -80,16 +80,17 @@ void CompareCommandTest::circlesAreComparedBySourcesAndPaths() {
     // A backlash 2 µm larger, of which both circles know more than that.
     const QTemporaryDir folder;
     for (const char *backlash : {"4", "6"})
-        QCOMPARE(runCli({"synthesize", "circular", "--source", QString("backlash:X=%1").arg(backlash), "--noise", "0.1",
-                         "-o", folder.filePath(QString("%1.palmer").arg(backlash))})
+        QCOMPARE(runCli({"synthesize", "circular", "--source", QString("backlash:X=%1").arg(backlash),
+                         "--noise", "0.1", "-o", folder.filePath(QString("%1.palmer").arg(backlash))})
                      .code,
                  0);
-    const QJsonObject worse = QJsonDocument::fromJson(runCli({"compare", folder.filePath("4.palmer"),
-                                                              folder.filePath("6.palmer"), "--json"})
-                                                          .out)
-                                  .object();
+    const QJsonObject worse =
+        QJsonDocument::fromJson(
+            runCli({"compare", folder.filePath("4.palmer"), folder.filePath("6.palmer"), "--json"}).out)
+            .object();
     const auto found = worse["sources"].toArray();
-    const auto backlash = std::ranges::find_if(found, [](const auto &source) { return source.toObject()["id"] == "backlash"; });
+    const auto backlash =
+        std::ranges::find_if(found, [](const auto &source) { return source.toObject()["id"] == "backlash"; });
     QVERIFY(backlash != found.end());
     const double u = backlash->toObject()["expandedUncertainty"].toDouble();
     QVERIFY(u > 0 && u < 0.2);

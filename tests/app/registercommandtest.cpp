@@ -637,7 +637,8 @@ void RegisterCommandTest::theTypeOnPaper() {
 
 void RegisterCommandTest::whatChangedSinceTheLastTest() {
     const QString folder = m_dir->filePath("changes");
-    QVERIFY(QDir().mkdir(folder) && QFile::copy(SOURCE "/resources/examples/x-axis-as-found-as-left.palmer", folder + "/x.palmer"));
+    QVERIFY(QDir().mkdir(folder) &&
+            QFile::copy(SOURCE "/resources/examples/x-axis-as-found-as-left.palmer", folder + "/x.palmer"));
     QCOMPARE(reg({"scan", folder}).code, 0);
     const auto plain = objects(reg({"list", "--json"}).out);
     QVERIFY(plain.at(1)["sinceLast"].isNull());

@@ -389,9 +389,10 @@ void ComparisonPage::fillParameters(const PlacedTest &was, const PlacedTest &is)
             drawn->setData(RowTable::whiskerRole, QVariant::fromValue(*shown.picture));
         const QString en =
             shown.enRatio.isEmpty() ? QString() : QStringLiteral(" (En %1)").arg(shown.enRatio);
-        const QString said = own == ChangeWord::noChangeProven
-                                 ? language.text(changeText(ChangeWord::notProven)) // leaves room to the names
-                                 : shown.word;
+        const QString said =
+            own == ChangeWord::noChangeProven
+                ? language.text(changeText(ChangeWord::notProven)) // leaves room to the names
+                : shown.word;
         m_parameters->setCell(row, word, said + en, false, changed);
     }
     m_parameters->fit(name, 60, {});

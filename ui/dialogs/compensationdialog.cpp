@@ -243,10 +243,10 @@ void CompensationDialog::predict(const CompensationTable &table) {
 /// Notes on the table and on the one compared with it.
 QString CompensationDialog::notes() const {
     const Language &language = windowLanguage();
-    QStringList lines{
-        (m_written.isEmpty() ? tr("After %1, from the means at the targets: this table is not complete.")
-                             : tr("After %1, from the table as it is written."))
-            .arg(QString::fromUtf8(m_before->edition->word))};
+    QStringList lines{(m_written.isEmpty()
+                           ? tr("After %1, from the means at the targets: this table is not complete.")
+                           : tr("After %1, from the table as it is written."))
+                          .arg(QString::fromUtf8(m_before->edition->word))};
     for (const Message &remark : m_remarks)
         lines << language.sentence(remark);
     if (m_withCompared) {

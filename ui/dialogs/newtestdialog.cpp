@@ -250,7 +250,8 @@ void NewTestDialog::propose() {
     m_why->setVisible(!m_listed && !m_why->text().isEmpty());
     if (!m_listed && count) {
         std::vector<double> proposed = plan.targets;
-        m_choice = {TargetChoiceKind::free, statedInterval(plan), std::nullopt, static_cast<long long>(m_seed)};
+        m_choice = {TargetChoiceKind::free, statedInterval(plan), std::nullopt,
+                    static_cast<long long>(m_seed)};
         if (proposed.empty()) { // the rule does not give that number
             m_choice = {};
             const TargetRequest ends = request();
@@ -270,7 +271,8 @@ QString NewTestDialog::whyOf(const TargetPlan &plan) const {
     if (plan.targets.empty() || !plan.interval || !last || plan.targets.back() == *last)
         return {};
     const Quantity quantity = positionQuantity(axis());
-    return tr("The last target is %1, not %2: to every nominal position, each %3, a random part of up to ± %4 is "
+    return tr("The last target is %1, not %2: to every nominal position, each %3, a random part of up to ± "
+              "%4 is "
               "added so that periodic errors show, and no target may lie beyond the ends.")
         .arg(m_language.quantity(plan.targets.back(), quantity), m_language.quantity(*last, quantity),
              m_language.quantity(*plan.interval, quantity, decimals),

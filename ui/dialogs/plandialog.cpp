@@ -572,7 +572,8 @@ void PlanDialog::retranslate() {
     m_savePlan->setText(tr("Save P&DF…"));
     m_saveProgram->setText(tr("Part pro&gram…"));
     m_anew->setText(tr("Plan new &targets"));
-    m_anew->setToolTip(tr("Chosen by the rule of the edition; the test keeps its own until they are put into it"));
+    m_anew->setToolTip(
+        tr("Chosen by the rule of the edition; the test keeps its own until they are put into it"));
     m_close->setText(tr("&Close"));
     m_dialect->setAccessibleName(tr("Control"));
     m_view->setAccessibleName(tr("Measuring cycle"));

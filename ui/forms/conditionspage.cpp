@@ -433,8 +433,9 @@ QString ConditionsPage::missingText(int count) const {
 
 void ConditionsPage::refreshOthers() {
     m_like->setText(tr("Like the last test"));
-    m_like->setToolTip(tr("Fills what is open as for the last test of this machine, in this file or in the register; "
-                          "what is measured on the day stays open"));
+    m_like->setToolTip(
+        tr("Fills what is open as for the last test of this machine, in this file or in the register; "
+           "what is measured on the day stays open"));
     const Test *shown = shownTest();
     if (shown && m_correction) {
         const QString size = correctionSizeText(*shown, language());

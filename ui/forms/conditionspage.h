@@ -59,8 +59,8 @@ private:
     std::vector<SensorName> m_sensorNames;
     std::map<std::string, Field *> m_clauses; ///< declarations by key, each with its clause
     QPushButton *m_like = nullptr;
-    ElidedLabel *m_correction = nullptr;      ///< size of the correction to 20 °C
-    Field *m_start = nullptr;                 ///< heads of the columns of temperatures
+    ElidedLabel *m_correction = nullptr; ///< size of the correction to 20 °C
+    Field *m_start = nullptr;            ///< heads of the columns of temperatures
     Field *m_end = nullptr;
     QLabel *m_expansion = nullptr;
     std::map<SensorMeasures, Field *> m_lastSensors; ///< the first field of the last sensor of each kind

@@ -16,9 +16,9 @@
 #include "ui/model/editname.h"
 #include "ui/theme.h"
 
-#include <QCoreApplication>
 #include <QAction>
 #include <QCalendarWidget>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -329,9 +329,8 @@ Field *Form::addDate(const Topic &topic, Member<Moment> member, int weight) {
         return statedDate(read(source), source.language);
     };
     last().change = [this, field, write = std::move(member.write)]() -> Change {
-        return [write, test = m_test, value = enteredDate(field->valueText(), m_language).value](Document &document) {
-            write(document, test, value);
-        };
+        return [write, test = m_test, value = enteredDate(field->valueText(), m_language).value](
+                   Document &document) { write(document, test, value); };
     };
     return field;
 }
@@ -547,7 +546,8 @@ const Test *Form::shownTest() const {
                : nullptr;
 }
 
-/// Marks a field of every finding of this page, the first empty one, so that there are as many marks as are counted.
+/// Marks a field of every finding of this page, the first empty one, so that there are as many marks as are
+/// counted.
 void Form::markWhatIsMissing(const std::vector<bool> &isEmpty) {
     std::vector<Lack> lacks(m_entries.size(), Lack::none);
     const auto &tests = m_evaluated.tests;
@@ -566,7 +566,8 @@ void Form::markWhatIsMissing(const std::vector<bool> &isEmpty) {
             return false;
         };
         const auto any = [&](bool empty) {
-            return std::ranges::any_of(finding.keys, [&](const std::string &path) { return mark(path, empty); });
+            return std::ranges::any_of(finding.keys,
+                                       [&](const std::string &path) { return mark(path, empty); });
         };
         if (!any(true)) // something is stated, but not all that is asked: a feed, not its kind
             static_cast<void>(any(false));
@@ -702,10 +703,12 @@ std::vector<Form::Found> Form::found() {
     std::vector<Found> result;
     for (const Entry &entry : m_entries) {
         const QString text = entry.field->text().simplified();
-        const QString unit = entry.quantity && !text.isEmpty() ? u' ' + m_language.unit(*entry.quantity) : QString();
+        const QString unit =
+            entry.quantity && !text.isEmpty() ? u' ' + m_language.unit(*entry.quantity) : QString();
         const QString name = entry.field->edit()->accessibleName();
         const bool isOfSensor = std::string_view(entry.key) == "sensors";
-        result.push_back({isOfSensor ? tr("Temperature · %1").arg(name) : name, text + unit, entry.field->isRequired(), entry.field});
+        result.push_back({isOfSensor ? tr("Temperature · %1").arg(name) : name, text + unit,
+                          entry.field->isRequired(), entry.field});
     }
     return result;
 }

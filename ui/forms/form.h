@@ -152,7 +152,7 @@ protected:
     Field *addAnswer(const Topic &topic, int weight = 1);
     void addWidget(QWidget *widget, int weight = 1);
     void addStretch();
-    void showPart(QWidget &part); ///< scrolls to it
+    void showPart(QWidget &part);   ///< scrolls to it
     void addToBar(QWidget *widget); ///< on the right of the bar above the page
     void clear();                   ///< removes everything added except the bar
 
@@ -247,7 +247,7 @@ private:
     QString m_of; ///< ID of the test in the fields; empty outside tests
     RefusedFields m_refused;
     Language m_language{Language::Id::english};
-    LinkChip *m_chip; ///< leads to the next missing statement
+    LinkChip *m_chip;  ///< leads to the next missing statement
     LinkChip *m_usual; ///< what only practice asks for
     QHBoxLayout *m_bar;
     QScrollArea *m_scroll;

@@ -66,28 +66,29 @@ bool areOfSeveralOrigins(const Test &test) {
 template <auto member>
 auto ofLimit(const std::string &id) {
     using T = std::remove_cvref_t<decltype(std::declval<Limit &>().*member)>;
-    return Member<T>{[id](const FormSource &source) {
-                         if (!source.test)
-                             return T();
-                         const auto found = source.test->limits.find(id);
-                         return found == source.test->limits.end() ? T() : found->second.*member;
-                     },
-                     [id](Document &document, std::size_t index, const T &value) {
-                         editTest(document, index, [&](Test &test) {
-                             const auto any = test.limits.begin();
-                             const bool isNew = any != test.limits.end() && !test.limits.contains(id) &&
-                                                !areOfSeveralOrigins(test);
-                             const Limit like = isNew ? Limit{{}, any->second.edition, any->second.source} : Limit();
-                             const bool isOfAll = test.limits.size() > 1 && !areOfSeveralOrigins(test);
-                             editLimit(test, id, [&](Limit &limit) {
-                                 if (isNew) // one edition and origin for all
-                                     limit = like;
-                                 limit.*member = value;
-                                 if (isOfAll && !limit.value)
-                                     limit = {};
-                             });
-                         });
-                     }};
+    return Member<T>{
+        [id](const FormSource &source) {
+            if (!source.test)
+                return T();
+            const auto found = source.test->limits.find(id);
+            return found == source.test->limits.end() ? T() : found->second.*member;
+        },
+        [id](Document &document, std::size_t index, const T &value) {
+            editTest(document, index, [&](Test &test) {
+                const auto any = test.limits.begin();
+                const bool isNew =
+                    any != test.limits.end() && !test.limits.contains(id) && !areOfSeveralOrigins(test);
+                const Limit like = isNew ? Limit{{}, any->second.edition, any->second.source} : Limit();
+                const bool isOfAll = test.limits.size() > 1 && !areOfSeveralOrigins(test);
+                editLimit(test, id, [&](Limit &limit) {
+                    if (isNew) // one edition and origin for all
+                        limit = like;
+                    limit.*member = value;
+                    if (isOfAll && !limit.value)
+                        limit = {};
+                });
+            });
+        }};
 }
 
 /// A symbol with subscripts.
@@ -141,23 +142,23 @@ std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
 template <auto member>
 auto ofAllLimits() {
     using T = std::remove_cvref_t<decltype(std::declval<Limit &>().*member)>;
-    return Member<T>{[](const FormSource &source) {
-                         std::optional<T> common;
-                         for (const auto &[id, limit] :
-                              source.test ? source.test->limits : decltype(Test::limits)()) {
-                             if (common && *common != limit.*member)
-                                 return T();
-                             common = limit.*member;
-                         }
-                         return common.value_or(T());
-                     },
-                     [](Document &document, std::size_t index, const T &value) {
-                         editTest(document, index, [&](Test &test) {
-                             for (auto &[id, limit] : test.limits)
-                                 limit.*member = value;
-                             std::erase_if(test.limits, [](const auto &limit) { return limit.second == Limit(); });
-                         });
-                     }};
+    return Member<T>{
+        [](const FormSource &source) {
+            std::optional<T> common;
+            for (const auto &[id, limit] : source.test ? source.test->limits : decltype(Test::limits)()) {
+                if (common && *common != limit.*member)
+                    return T();
+                common = limit.*member;
+            }
+            return common.value_or(T());
+        },
+        [](Document &document, std::size_t index, const T &value) {
+            editTest(document, index, [&](Test &test) {
+                for (auto &[id, limit] : test.limits)
+                    limit.*member = value;
+                std::erase_if(test.limits, [](const auto &limit) { return limit.second == Limit(); });
+            });
+        }};
 }
 
 } // namespace
@@ -214,8 +215,8 @@ void LimitsPage::prepare() {
                QT_TR_NOOP("non-conformity is to be proven")},
               decisionRuleMember(), false, 2);
     if (hasGuardBand)
-        addNumber({"guardFactor", QT_TR_NOOP("Guard band, times U")}, Quantity::number, guardFactorMember(), 1,
-                  Allowed::notNegative);
+        addNumber({"guardFactor", QT_TR_NOOP("Guard band, times U")}, Quantity::number, guardFactorMember(),
+                  1, Allowed::notNegative);
     addSection(QT_TR_NOOP("Agreed limits"));
     addSectionButton(QT_TR_NOOP("Paste"), [this] {
         pasteLimits(0);
@@ -264,7 +265,8 @@ void LimitsPage::addLimit(const Formula &symbol, const std::vector<const Term *>
 }
 
 /// A choice among the editions of the kind and that of the test.
-Field *LimitsPage::addEdition(const char *label, Kind kind, const Member<std::optional<std::string>> &member) {
+Field *LimitsPage::addEdition(const char *label, Kind kind,
+                              const Member<std::optional<std::string>> &member) {
     std::vector<const char *> words{QT_TR_NOOP("of the test")};
     std::vector<std::optional<std::string>> values{std::nullopt};
     for (const Edition *edition : editionsOf(kind)) {

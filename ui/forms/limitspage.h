@@ -29,7 +29,8 @@ private:
     /// Inserts limits from the clipboard, from that row on if without symbols; shows an error on failure.
     void pasteLimits(std::size_t row);
 
-    /// A limit as a table row: its parameter and value; edition and origin only where those of the rows differ.
+    /// A limit as a table row: its parameter and value; edition and origin only where those of the rows
+    /// differ.
     void addLimit(const Formula &symbol, const std::vector<const Term *> &terms, const std::string &id,
                   Kind kind, bool rowByRow);
     Field *addEdition(const char *label, Kind kind, const Member<std::optional<std::string>> &member);

@@ -68,8 +68,8 @@ private:
     QLabel *m_title;
     ElidedLabel *m_rule;
     QLabel *m_viewNote;
-    Chip *m_chip;       ///< the verdict
-    Chip *m_limits;     ///< the first statement of the verdict
+    Chip *m_chip;           ///< the verdict
+    Chip *m_limits;         ///< the first statement of the verdict
     LinkChip *m_accordance; ///< the second; leads to the findings
     QToolButton *m_copy;
     QTableView *m_table;

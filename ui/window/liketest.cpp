@@ -42,7 +42,8 @@ std::optional<LikeTest> lastTestOfMachine(const std::shared_ptr<const Document> 
                          QString::fromStdString(own.model), QString::fromStdString(own.serialNumber)});
     std::optional<ListedTest> registered;
     for (const MachineRow &row : readMachines(address)) {
-        const bool isMeant = machine.isEmpty() ? row.machine.identity == identity : asListed(row.machine) == machine;
+        const bool isMeant =
+            machine.isEmpty() ? row.machine.identity == identity : asListed(row.machine) == machine;
         if (!isMeant)
             continue;
         for (const ListedTest &one : readTests(address, row.machine.id)) {

@@ -18,14 +18,13 @@ struct LikeTest {
     QString file; ///< path; empty: the open file
 };
 
-/// Returns the newest other test that test `index` can be filled like, rather one of its axis: of the document, or of
-/// the same machine in the register at that address; `machine` (as listed) where the document names none. Null if
-/// there is none. `path`: of the document, which is not looked for in the register. Throws Error if the file is not
-/// read.
+/// Returns the newest other test that test `index` can be filled like, rather one of its axis: of the
+/// document, or of the same machine in the register at that address; `machine` (as listed) where the document
+/// names none. Null if there is none. `path`: of the document, which is not looked for in the register.
+/// Throws Error if the file is not read.
 [[nodiscard]] std::optional<LikeTest> lastTestOfMachine(const std::shared_ptr<const Document> &document,
                                                         std::size_t index, const QString &path,
-                                                        const QString &address,
-                                                        const QString &machine = {});
+                                                        const QString &address, const QString &machine = {});
 
 /// Names of the machines of the register, as lastTestOfMachine() takes them.
 [[nodiscard]] QStringList machinesOfRegister(const QString &address);

@@ -34,12 +34,12 @@
 #include "ui/model/settings.h"
 #include "ui/proof/reportbar.h"
 #include "ui/readings/readingspage.h"
+#include "ui/register/registerservice.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
 #include "ui/welcome/welcomepage.h"
-#include "ui/register/registerservice.h"
 #include "ui/window/exports.h"
 #include "ui/window/liketest.h"
 #include "ui/window/noticebar.h"
@@ -218,8 +218,9 @@ std::vector<SearchEntry> MainWindow::searchEntries() {
             add(*menu);
     }
     for (const QString &name : SettingsDialog::names())
-        entries.push_back({SearchGroup::settings, name, {}, SettingsDialog::tr("Settings"),
-                           [this] { action(WindowAction::settings)->trigger(); }});
+        entries.push_back({SearchGroup::settings, name, {}, SettingsDialog::tr("Settings"), [this] {
+                               action(WindowAction::settings)->trigger();
+                           }});
     return entries;
 }
 
@@ -664,7 +665,8 @@ void MainWindow::changeTextSize(int steps) {
     setTextSizeStep(steps == 0 ? 0 : textSizeStep() + steps);
 }
 
-/// Fills what is open as it was stated for the last test of the machine; asks for the machine if none is named.
+/// Fills what is open as it was stated for the last test of the machine; asks for the machine if none is
+/// named.
 void MainWindow::fillLikeLast() {
     if (!currentTest())
         return;
@@ -675,8 +677,8 @@ void MainWindow::fillLikeLast() {
     if (const QStringList all = document->machine == Machine() ? machinesOfRegister(address) : QStringList();
         !all.isEmpty() && document->tests.size() < 2) {
         bool isChosen = false;
-        machine = QInputDialog::getItem(this, tr("Like the last test of a machine"), tr("Machine"), all, 0, false,
-                                        &isChosen);
+        machine = QInputDialog::getItem(this, tr("Like the last test of a machine"), tr("Machine"), all, 0,
+                                        false, &isChosen);
         if (!isChosen)
             return;
     }
@@ -692,12 +694,12 @@ void MainWindow::fillLikeLast() {
                        {{QStringLiteral("noticeRead"), tr("&OK"), [] {}}});
         return;
     }
-    m_model.edit(QT_TRANSLATE_NOOP("edits", "fill like the last test"), [&](Document &changed) {
-        fillLike(changed, test, *like->document, like->test);
-    });
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "fill like the last test"),
+                 [&](Document &changed) { fillLike(changed, test, *like->document, like->test); });
     const Test &from = *like->document->tests[like->test];
     const QString date = from.date ? u' ' + windowLanguage().date(*from.date) : QString();
-    const QString file = like->file.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(QFileInfo(like->file).fileName());
+    const QString file =
+        like->file.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(QFileInfo(like->file).fileName());
     m_notice->show(tr("Filled like %1%2%3. What is measured on the day of the test is still open.")
                        .arg(testName(from), date, file),
                    {{QStringLiteral("undoLike"), tr("&Undo"), [this] { step(false); }},

@@ -31,8 +31,8 @@ struct SearchHit {
 /// The text without case and accents, letter by letter.
 [[nodiscard]] QString folded(const QString &text);
 
-/// Returns the entries that contain what was typed, by group; those that begin with it first, then those that have it
-/// in their name. Nothing for a blank text.
+/// Returns the entries that contain what was typed, by group; those that begin with it first, then those that
+/// have it in their name. Nothing for a blank text.
 [[nodiscard]] std::vector<SearchHit> search(const std::vector<SearchEntry> &entries, const QString &typed);
 
 } // namespace palmer::ui

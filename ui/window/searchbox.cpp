@@ -44,7 +44,8 @@ public:
         std::vector<SearchRow> rows;
         for (auto at = hits.begin(); at != hits.end();) {
             const SearchGroup group = at->entry.group;
-            const auto next = std::find_if(at, hits.end(), [&](const SearchHit &hit) { return hit.entry.group != group; });
+            const auto next =
+                std::find_if(at, hits.end(), [&](const SearchHit &hit) { return hit.entry.group != group; });
             const auto count = next - at;
             SearchRow head;
             head.isHead = true;
@@ -93,16 +94,17 @@ public:
         const QRect area = option.rect.adjusted(pageMargin, 0, -pageMargin, 0);
         if (row.isHead) {
             drawElided(painter, area, Qt::AlignRight, entry.place, themeFont(TextSize::tiny), secondary);
-            drawElided(painter, area, Qt::AlignLeft, entry.name.toUpper(), themeFont(TextSize::tiny), secondary);
+            drawElided(painter, area, Qt::AlignLeft, entry.name.toUpper(), themeFont(TextSize::tiny),
+                       secondary);
             return;
         }
         const QFont base = themeFont(TextSize::base);
         const QFont small = themeFont(TextSize::small);
         drawElided(painter, area, Qt::AlignRight, entry.place, small, secondary);
-        const QColor stated = entry.isMissing ? token(Token::unsure, option.palette)
-                                              : option.palette.color(QPalette::Text);
-        drawElided(painter, area.adjusted(area.width() - placeWidth - valueWidth, 0, -placeWidth, 0), Qt::AlignRight,
-                   entry.value, small, stated);
+        const QColor stated =
+            entry.isMissing ? token(Token::unsure, option.palette) : option.palette.color(QPalette::Text);
+        drawElided(painter, area.adjusted(area.width() - placeWidth - valueWidth, 0, -placeWidth, 0),
+                   Qt::AlignRight, entry.value, small, stated);
         QRect name = area.adjusted(0, 0, -placeWidth - valueWidth - 8, 0);
         QFont bold = base;
         bold.setWeight(QFont::DemiBold);
@@ -162,8 +164,8 @@ void SearchBox::find() {
     const int rows = std::clamp(m_model->rowCount(), 1, mostRows);
     const QPoint below = mapTo(frame, QPoint(width(), height() + 2));
     const int wide = std::min(panelWidth, frame->width() - 16);
-    const int high = std::min(rows * searchRowHeight + m_keys->sizeHint().height() + 16,
-                              frame->height() - below.y() - 8);
+    const int high =
+        std::min(rows * searchRowHeight + m_keys->sizeHint().height() + 16, frame->height() - below.y() - 8);
     m_panel->setGeometry(std::max(8, below.x() - wide), below.y(), wide, high);
     m_panel->raise();
     step(1);
@@ -173,7 +175,9 @@ void SearchBox::find() {
 void SearchBox::step(int by) {
     if (!m_list)
         return;
-    int row = m_list->currentIndex().isValid() ? m_list->currentIndex().row() : by > 0 ? -1 : m_model->rowCount();
+    int row = m_list->currentIndex().isValid() ? m_list->currentIndex().row()
+              : by > 0                         ? -1
+                                               : m_model->rowCount();
     do
         row += by;
     while (row >= 0 && row < m_model->rowCount() && m_model->row(row).isHead);

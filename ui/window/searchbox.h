@@ -14,8 +14,8 @@ namespace palmer::ui {
 
 class SearchModel;
 
-/// One search over fields, results, findings and settings: a box in the toolbar, its answers below it. The box keeps
-/// the keyboard: arrows choose, Enter goes there, Ctrl+Enter without closing, Esc closes.
+/// One search over fields, results, findings and settings: a box in the toolbar, its answers below it. The
+/// box keeps the keyboard: arrows choose, Enter goes there, Ctrl+Enter without closing, Esc closes.
 class SearchBox : public Translated<QLineEdit, QEvent::FontChange> {
     Q_OBJECT
 

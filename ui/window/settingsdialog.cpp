@@ -80,15 +80,15 @@ void SettingsDialog::setUnits() {
 namespace {
 
 QStringList labelsOfChoices() {
-    return {SettingsDialog::tr("&Language of the window"), SettingsDialog::tr("&Theme"), SettingsDialog::tr("L&engths"),
-            SettingsDialog::tr("An&gles")};
+    return {SettingsDialog::tr("&Language of the window"), SettingsDialog::tr("&Theme"),
+            SettingsDialog::tr("L&engths"), SettingsDialog::tr("An&gles")};
 }
 
 } // namespace
 
 QStringList SettingsDialog::names() {
-    QStringList names =
-        labelsOfChoices() << tr("&Keep changes safe from a crash") << tr("Keep the version &before when saving");
+    QStringList names = labelsOfChoices() << tr("&Keep changes safe from a crash")
+                                          << tr("Keep the version &before when saving");
     return names.replaceInStrings(QStringLiteral("&"), QString());
 }
 

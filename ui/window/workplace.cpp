@@ -578,7 +578,8 @@ std::vector<SearchEntry> Workplace::searchEntries() {
             continue;
         for (const Form::Found &found : form->found())
             entries.push_back({SearchGroup::fields, found.name,
-                               found.isMissing ? tr("not stated") : found.value, FindingsModel::pageName(page),
+                               found.isMissing ? tr("not stated") : found.value,
+                               FindingsModel::pageName(page),
                                [this, page, form, field = found.field] {
                                    showPage(page);
                                    if (field)
@@ -591,15 +592,15 @@ std::vector<SearchEntry> Workplace::searchEntries() {
         return entries;
     const TestEvaluation &evaluation = *m_evaluated.tests[test];
     for (const Parameter &parameter : evaluation.parameters) {
-        const QString value = parameter.value ? windowLanguage().quantity(*parameter.value, parameter.term.quantity, 1)
-                                              : QStringLiteral("–");
-        entries.push_back({SearchGroup::results,
-                           QStringLiteral("%1 · %2").arg(QString::fromStdString(plainSymbol(parameter)),
-                                                         windowLanguage().text(parameter.term.name)),
-                           value, FindingsModel::tr("Results"),
-                           [this, id = QString::fromStdString(parameterId(parameter))] {
-                               m_selection.setParameter(id);
-                           }});
+        const QString value = parameter.value
+                                  ? windowLanguage().quantity(*parameter.value, parameter.term.quantity, 1)
+                                  : QStringLiteral("–");
+        entries.push_back(
+            {SearchGroup::results,
+             QStringLiteral("%1 · %2").arg(QString::fromStdString(plainSymbol(parameter)),
+                                           windowLanguage().text(parameter.term.name)),
+             value, FindingsModel::tr("Results"),
+             [this, id = QString::fromStdString(parameterId(parameter))] { m_selection.setParameter(id); }});
     }
     for (const Finding &finding : evaluation.findings) {
         const Page page = pageOf(finding, *m_evaluated.document);

@@ -107,7 +107,8 @@ private:
             if (deviations.empty() && !temperatures.empty()) // "X (µm)", "Y (µm)"
                 std::ranges::copy_if(others, std::back_inserter(deviations), [this](std::size_t c) {
                     const SaidUnit said = m.body.columns[c].said();
-                    return said.unit && (said.unit->kind == UnitKind::length || said.unit->kind == UnitKind::angle);
+                    return said.unit &&
+                           (said.unit->kind == UnitKind::length || said.unit->kind == UnitKind::angle);
                 });
             m_values = !deviations.empty() ? deviations : others;
             m_heat = temperatures;

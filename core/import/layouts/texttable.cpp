@@ -180,7 +180,8 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
         return "positioning";
     const bool positions = has(Meaning::run) || has(Meaning::direction);
     // X and Y over time with temperatures beside them drift; they are no path.
-    if (hasTimes(body) && !positions && body.anyColumn([](const TableColumn &c) { return c.isTemperature(); }))
+    if (hasTimes(body) && !positions &&
+        body.anyColumn([](const TableColumn &c) { return c.isTemperature(); }))
         return seriesKindOf(body, origin);
     if (isCircular(body) || areAxesOnCircle(reading))
         return "circular";

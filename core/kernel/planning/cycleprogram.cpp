@@ -60,7 +60,8 @@ Overtravel overtravelOf(const CycleProgram &program, const TargetRequest &reques
     const Interval moved = movedThrough(program);
     if (request.axisRange)
         return {over(request.axisRange->from - moved.from), over(moved.to - request.axisRange->to)};
-    const bool hasEnds = request.axisTravel && (request.motion == Motion::linear || *request.axisTravel < turn);
+    const bool hasEnds =
+        request.axisTravel && (request.motion == Motion::linear || *request.axisTravel < turn);
     return {0, hasEnds ? over(moved.to - moved.from - *request.axisTravel) : 0};
 }
 

@@ -52,8 +52,8 @@ struct Overtravel {
     [[nodiscard]] bool any() const { return below > 0 || above > 0; }
 };
 
-/// Compares the cycle with the ends of the axis as the request has them; without them with its travel: what is
-/// too much counts as above. A rotary axis of a full turn or more has no ends.
+/// Compares the cycle with the ends of the axis as the request has them; without them with its travel: what
+/// is too much counts as above. A rotary axis of a full turn or more has no ends.
 [[nodiscard]] Overtravel overtravelOf(const CycleProgram &program, const TargetRequest &request);
 
 } // namespace palmer

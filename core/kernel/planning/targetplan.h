@@ -35,7 +35,7 @@ struct TargetPlan {
     /// Largest |r| (1988: length of the range of r), mm or degrees; for quarter turns the length of each part
     /// of the travel that gets one free target.
     double randomPart = 0;
-    int runs = 5; ///< approaches per direction
+    int runs = 5;        ///< approaches per direction
     bool ofTest = false; ///< the targets of a test, not chosen by a rule
     /// True if planned for 1988 without a usable pitch: the bound of ± 30 % is from ISO 230-2:2006.
     bool boundOf2006 = false;

@@ -42,9 +42,10 @@ public:
         p.drawLine(m_frame.plot().bottomLeft(), m_frame.plot().bottomRight());
         p.drawLine(m_frame.plot().topLeft(), m_frame.plot().bottomLeft());
         m_frame.drawX(axis);
-        m_frame.drawXTitle(axisTitle(
-            m_figure.x, {},
-            (isBudget() ? QStringLiteral(" (%1, k\u00A0=\u00A02)") : QStringLiteral(" (%1)")).arg(m_figure.x.unit)));
+        m_frame.drawXTitle(
+            axisTitle(m_figure.x, {},
+                      (isBudget() ? QStringLiteral(" (%1, k\u00A0=\u00A02)") : QStringLiteral(" (%1)"))
+                          .arg(m_figure.x.unit)));
         return m_frame.transform();
     }
 

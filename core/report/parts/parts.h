@@ -307,8 +307,8 @@ void addThermalPages(std::vector<Block> &blocks, const EvaluatedDocument &evalua
 /// Adds the drift tests of the file with their ranges.
 void addDriftTests(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated);
 
-/// Adds the statements that ISO/IEC 17025, 7.8 requires, with the signatures unless they are left out; without
-/// an annex first what addProgram() says.
+/// Adds the statements that ISO/IEC 17025, 7.8 requires, with the signatures unless they are left out;
+/// without an annex first what addProgram() says.
 void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
                    const Making &making, const QString &fingerprint, const QString &foreign, int level);
 

@@ -22,7 +22,8 @@ constexpr double longRecord = 2 * hour; ///< from which on times are in hours
 constexpr double mostTimeTicks = 8;
 constexpr double mostValueTicks = 5;
 constexpr double percent = 100;
-constexpr std::array channelRoles{LineRole::machine, LineRole::instrument, LineRole::air, LineRole::measuredDown};
+constexpr std::array channelRoles{LineRole::machine, LineRole::instrument, LineRole::air,
+                                  LineRole::measuredDown};
 
 Quantity quantityOf(const DriftChannel &channel) {
     return channel.quantity == ChannelQuantity::deviation ? Quantity::deviation : Quantity::angularDeviation;
@@ -166,7 +167,9 @@ LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<Therma
     const double scale = unitScale(quantity, language.units());
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const QString name = QString::fromStdString(channels[i].channel.name);
-        figure.lines.push_back({channelRoles.at(i % channelRoles.size()), name, {},
+        figure.lines.push_back({channelRoles.at(i % channelRoles.size()),
+                                name,
+                                {},
                                 pointsOf(drift.times, channels[i].channel.values, perSecond, scale)});
     }
     if (shown && *shown < channels.size() && channels[*shown].best) {
@@ -191,7 +194,9 @@ LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &lang
     for (std::size_t i = 0; i < drift.temperatures.size(); ++i) {
         const QString name = QString::fromStdString(drift.temperatures[i].measures);
         figure.lines.push_back(
-            {channelRoles.at(i % channelRoles.size()), name, {},
+            {channelRoles.at(i % channelRoles.size()),
+             name,
+             {},
              pointsOf(drift.times, drift.temperatures[i].values, 1 / timeScale(drift).seconds, 1)});
     }
     return finished(std::move(figure), language);

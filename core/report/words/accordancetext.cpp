@@ -187,12 +187,11 @@ QString accordanceOfAll(std::span<const Accordance> tests, const Language &langu
         Accordance accordance = Accordance::notChecked;
         Text words;
     };
-    const std::array parts{
-        CountedPart{Accordance::yes, REPORT_TEXT("report", "In accordance: %1")},
-        CountedPart{Accordance::partly, REPORT_TEXT("report", "; in part: %1")},
-        CountedPart{Accordance::notShown, REPORT_TEXT("report", "; not shown: %1")},
-        CountedPart{Accordance::no, REPORT_TEXT("report", "; not: %1")},
-        CountedPart{Accordance::notChecked, REPORT_TEXT("report", "; not checked: %1")}};
+    const std::array parts{CountedPart{Accordance::yes, REPORT_TEXT("report", "In accordance: %1")},
+                           CountedPart{Accordance::partly, REPORT_TEXT("report", "; in part: %1")},
+                           CountedPart{Accordance::notShown, REPORT_TEXT("report", "; not shown: %1")},
+                           CountedPart{Accordance::no, REPORT_TEXT("report", "; not: %1")},
+                           CountedPart{Accordance::notChecked, REPORT_TEXT("report", "; not checked: %1")}};
     constexpr Text none = REPORT_TEXT_FOR("report", "none", "number of tests");
     QString result;
     for (const CountedPart &part : parts) {

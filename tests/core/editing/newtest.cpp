@@ -192,8 +192,8 @@ private slots:
         QCOMPARE(measurement.uncertainty.misalignmentRange, std::optional(1.0));
         QVERIFY(measurement.conditions.common.sensors ==
                 (std::vector<Sensor>{{SensorMeasures::machine, "table", {}, {}, {}}}));
-        QVERIFY(!filled.date && !measurement.conditions.airPressure && !measurement.conditions.gradientPerHour &&
-                !measurement.uncertainty.environmentalVariation);
+        QVERIFY(!filled.date && !measurement.conditions.airPressure &&
+                !measurement.conditions.gradientPerHour && !measurement.uncertainty.environmentalVariation);
         const Document once = document;
         fillLike(document, 0, source, 0);
         QVERIFY(document == once);

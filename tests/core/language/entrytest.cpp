@@ -135,7 +135,9 @@ void EntryTest::readsDates_data() {
     const auto row = [](const char *name, const char *typed, const char *french, const char *english) {
         QTest::newRow(name) << QString(typed) << QString(french) << QString(english);
     };
-    const auto same = [&](const char *name, const char *typed, const char *date) { row(name, typed, date, date); };
+    const auto same = [&](const char *name, const char *typed, const char *date) {
+        row(name, typed, date, date);
+    };
     same("as in the file", "2026-03-12", "2026-03-12");
     same("points, the day first", "12.03.2026", "2026-03-12");
     row("slashes: the day first, or one of two", "5/3/2026", "2026-03-05", "");
@@ -174,7 +176,8 @@ void EntryTest::aPowerOfTenIsRefusedAsOne() {
     for (const char16_t *typed : {u"1e99", u"2.5E-3", u"-3e5"})
         QVERIFY(QByteArray(enteredNumber(typed, Quantity::number).refusal->source).contains("power of ten"));
     for (const char16_t *typed : {u"e", u"1e", u"12 abc"})
-        QCOMPARE(QByteArray(enteredNumber(typed, Quantity::number).refusal->source), QByteArray("not a number"));
+        QCOMPARE(QByteArray(enteredNumber(typed, Quantity::number).refusal->source),
+                 QByteArray("not a number"));
 }
 
 /// Either is one word away.

@@ -188,7 +188,8 @@ private slots:
         QCOMPARE(model.document()->tests[1]->edition, std::string("ISO 230-2:1988"));
     }
 
-    /// Its targets, sheet and program; others only when they are asked for, and red what the axis cannot reach.
+    /// Its targets, sheet and program; others only when they are asked for, and red what the axis cannot
+    /// reach.
     void aTestWithTargetsIsItsOwnPlan() {
         Document document;
         Test test = example1988("ISO 230-2:1988");

@@ -274,7 +274,8 @@ private slots:
         QCOMPARE(figure->curves.size(), std::size_t{1});
         QCOMPARE(figure->curves[0].points.size(), std::size_t{3});
         QCOMPARE(figure->dimensions.size(), std::size_t{1});
-        // Back to a positioning test all its pages are there again: the last two are of circles and drift tests.
+        // Back to a positioning test all its pages are there again: the last two are of circles and drift
+        // tests.
         workplace.showTest(0);
         for (int tab = 0; tab < tabs->count(); ++tab)
             QCOMPARE(tabs->isTabVisible(tab), tab + 2 < tabs->count());

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/edits.h"
 #include "ui/chip.h"
 #include "ui/circles.h"
 #include "ui/examples.h"
@@ -7,7 +8,6 @@
 #include "ui/forms/conditionspage.h"
 #include "ui/forms/equipmentpages.h"
 #include "ui/forms/identificationpage.h"
-#include "document/edits.h"
 #include "ui/forms/limitspage.h"
 #include "ui/forms/sectionhead.h"
 
@@ -804,7 +804,8 @@ private slots:
         QCOMPARE(edited.test().decisionRule.guardFactor, 1.0);
     }
 
-    /// Edition and origin are those of all limits, a further one has them too; the guard band belongs to two rules.
+    /// Edition and origin are those of all limits, a further one has them too; the guard band belongs to two
+    /// rules.
     void limitsHaveOneEditionAndOrigin() {
         Edited<LimitsPage> edited(example());
         QVERIFY(fields(edited.page, u"guardFactor"_s).isEmpty()); // simple acceptance

@@ -35,7 +35,8 @@ public:
     }
     void press(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
         ++keys;
-        QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : m_shown.window.data(), key, with);
+        QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : m_shown.window.data(),
+                        key, with);
     }
     /// A command of a menu, by its shortcut if it has one: a click to open the menu and one to choose else.
     void command(const char *action) {

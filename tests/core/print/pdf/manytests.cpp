@@ -122,9 +122,8 @@ void ManyTests::pagesAreBounded() {
     }
 }
 
-/// No page but the last, that of the signatures and three of 26 (small print of results that fill a page, under
-/// three editions) is left more than 36 % blank, and no heading is the
-/// last of one.
+/// No page but the last, that of the signatures and three of 26 (small print of results that fill a page,
+/// under three editions) is left more than 36 % blank, and no heading is the last of one.
 void ManyTests::noPageIsWasted() {
     Document document = merged(examples);
     document.report.editions = {"ISO 230-2:1988", "ISO 230-2:2006", "ISO 230-2:2014"};

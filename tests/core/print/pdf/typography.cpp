@@ -159,8 +159,7 @@ void TypographyTest::frenchTextsHaveTheirSpaces() {
     QVERIFY(!frenchFaults(u"Limite: 3"_s).isEmpty());
     QVERIFY(!frenchFaults(u"une ; deux"_s).isEmpty());
     QVERIFY(frenchFaults(u"à 10:15, ISO 230-2:2006 ; deux"_s.replace(u" ;"_s, u"\u202F;"_s)).isEmpty());
-    for (const QString &name :
-         {u"iso230-2-1988-example"_s, u"iso230-4-full-circles-xy"_s}) {
+    for (const QString &name : {u"iso230-2-1988-example"_s, u"iso230-4-full-circles-xy"_s}) {
         const QStringList faults =
             frenchFaults(pageText(reportOf(storedDocument(name), Language::Id::french)));
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(u'\n')));
