@@ -29,7 +29,7 @@ public:
     explicit ComparisonPage(DocumentModel &model, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
-    /// What stands beside the page, made by its owner.
+    /// A widget next to the page, made by its owner.
     void setSide(ComparisonSide *side) { m_side = side; }
     /// Compares with the tests of another file; on failure shows a message and returns false.
     bool addFile(const QString &path);

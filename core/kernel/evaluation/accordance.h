@@ -29,7 +29,7 @@ struct RequirementCounts {
 /// Returns the number of practice requirements that are not declared.
 [[nodiscard]] int countOpenInPractice(std::span<const Finding> findings);
 
-/// Who asks for a statement that is missing: the edition, its agreements, the head of a report or the
+/// The one that asks for a missing statement: the edition, its agreements, the head of a report or the
 /// computation, or only good practice (of the conditions), which is marked and never counted.
 enum class Lack { none, required, usual };
 

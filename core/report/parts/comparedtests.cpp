@@ -99,7 +99,7 @@ Table parameterTable(const TestComparison &comparison, const PlacedTest &before,
     return table;
 }
 
-/// Of two circles: the sources that both diagnoses value, and the difference of the paths.
+/// For two circles: the sources that both diagnoses value, and the difference of the paths.
 void addCircles(std::vector<Block> &blocks, const PlacedTest &before, const PlacedTest &after,
                 const Writer &write) {
     constexpr double number = 22; // mm
