@@ -274,7 +274,8 @@ private:
 /// Inputs of the verdict of the report.
 struct Whole {
     std::optional<Verdict> verdict;
-    std::vector<Accordance> accordances;
+    std::vector<Accordance> accordances; ///< of the tests that count
+    std::vector<Accordance> ofAll;       ///< with those as found
     bool anyLimit = false;
     bool asLeft = false;
     int limits = 0;
@@ -296,6 +297,7 @@ struct Whole {
 Whole wholeOf(const std::vector<TestPart> &parts) {
     Whole whole;
     for (const TestPart &part : parts) {
+        whole.ofAll.push_back(part.evaluation.accordance());
         if (!counts(part)) {
             whole.asFound << QString::number(part.number);
             continue;
@@ -413,7 +415,7 @@ VerdictLine verdictLine(const std::vector<TestPart> &parts, const Whole &whole, 
             ? write.say(REPORT_TEXT("report", "in accordance with %1"), enumerated(write, whole.editions))
             : countedWords(write, weakest, whole.requirements);
     line.accordance = {write.text(REPORT_TEXT_FOR("report", "Tests", "part of a verdict")), markOf(weakest),
-                       state, accordanceOfAll(whole.accordances, write.language())};
+                       state, accordanceOfAll(whole.ofAll, write.language())};
     return line;
 }
 
