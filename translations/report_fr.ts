@@ -2558,8 +2558,36 @@
         <translation>Angle de départ&#xa0;: pris à %1. Un angle faux transforme un défaut de perpendicularité en différence d’échelle.</translation>
     </message>
     <message>
-        <source>A run states no direction; taken as counterclockwise.</source>
-        <translation>Une passe n’indique pas son sens&#x202f;; prise comme antihoraire.</translation>
+        <source>A run states no direction and was not read.</source>
+        <translation>Une passe n’indique pas son sens et n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>no run of the file states its direction</source>
+        <translation>aucune passe du fichier n’indique son sens</translation>
+    </message>
+    <message>
+        <source>Sign: the file says “%1”, which does not tell what is subtracted from what; read as actual − target.</source>
+        <translation>Signe&#xa0;: le fichier indique «&#xa0;%1&#xa0;», sans dire ce qui est soustrait de quoi&#x202f;; lu comme réel − visé.</translation>
+    </message>
+    <message>
+        <source>Sign: the file says “%1”; read as positive inwards.</source>
+        <translation>Signe&#xa0;: le fichier indique «&#xa0;%1&#xa0;»&#x202f;; lu comme positif vers l’intérieur.</translation>
+    </message>
+    <message>
+        <source>Sign: the file says “%1”; read as positive outwards.</source>
+        <translation>Signe&#xa0;: le fichier indique «&#xa0;%1&#xa0;»&#x202f;; lu comme positif vers l’extérieur.</translation>
+    </message>
+    <message>
+        <source>“%1”: half of each diameter is read as the radius.</source>
+        <translation>«&#xa0;%1&#xa0;»&#xa0;: la moitié de chaque diamètre est lue comme rayon.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” was not used.</source>
+        <translation>«&#xa0;%1&#xa0;: %2&#xa0;» n’a pas été utilisé.</translation>
+    </message>
+    <message>
+        <source>Columns: they are of several days (%1); all runs are read as those of one test.</source>
+        <translation>Colonnes&#xa0;: elles sont de plusieurs jours (%1)&#x202f;; toutes les passes sont lues comme celles d’un même essai.</translation>
     </message>
     <message>
         <source>a run of one reading is no circle</source>

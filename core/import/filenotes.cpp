@@ -7,6 +7,7 @@
 #include "tables/folded.h"
 
 #include <QRegularExpression>
+#include <set>
 
 namespace palmer {
 
@@ -42,6 +43,42 @@ SaidUnit unitOfNote(const std::string &line) {
     const std::string_view behind = std::string_view(line).substr(colon + 1);
     const std::string value(withoutBlanks(behind.substr(0, behind.find(';'))));
     return saidUnit('(' + value + ')');
+}
+
+/// "Deviations in nm", "All values in 0.1 µm", "Scale factor 0.1", "Signs inverted": what a line without a
+/// label says of the numbers. What is not understood is kept in its words, so that it is asked for.
+bool readForm(const std::string &line, FileNotes &notes) {
+    static const QRegularExpression scale(
+        QStringLiteral(R"(\b(?:scale|scaling|multipl\w*|fa[ck]t(?:or|eur|eurs|oren)|fattore|tenths?|zehntel|)"
+                       R"(dixi[eè]mes?|hundredths?|hundertstel|centi[eè]mes?|thousandths?|tausendstel|)"
+                       R"(milli[eè]mes?)\b)"),
+        QRegularExpression::CaseInsensitiveOption);
+    static const QRegularExpression behindIn(QStringLiteral(R"(\b(?:in|en)\s+\S+(?:\s\S+)?$)"));
+    static const QRegularExpression sign(
+        QStringLiteral(
+            R"(\b(?:signs?|vorzeichen|signes?|segn[oi]|signos?|inwards?|nach innen|vers l['’]int[eé]rieur|)"
+            R"(verso l['’]interno|hacia dentro)\b)"),
+        QRegularExpression::CaseInsensitiveOption);
+    const QString text = QString::fromStdString(line).trimmed();
+    const SaidUnit said = saidUnit(line);
+    const bool isSize =
+        said.unit && (said.unit->kind == UnitKind::length || said.unit->kind == UnitKind::angle);
+    const Meaning meaning = readHeading(line).meaning;
+    const bool isOfPlaces = isOneOf(meaning, {Meaning::place, Meaning::target});
+    SaidUnit &unit = isOfPlaces ? notes.positionUnit : notes.unit;
+    if (isSize && behindIn.match(text).hasMatch() && !unit.isSaid()) {
+        unit = said;
+        return true;
+    }
+    static const QRegularExpression other(
+        QStringLiteral("resol|auflos|risol|cert|sicher|toler|limit|accura|genau|precis"));
+    const bool isPart = !said.foreign.empty() && said.foreign.front() >= '0' && said.foreign.front() <= '9' &&
+                        !other.match(QString::fromStdString(folded(line))).hasMatch();
+    if ((isPart || scale.match(text).hasMatch()) && !unit.isSaid())
+        unit.foreign = text.toStdString();
+    else if (sign.match(text).hasMatch() && notes.sign.words.empty())
+        notes.sign.words = text.toStdString();
+    return false;
 }
 
 /// "Air temperature: 20.5 °C": a sensor with its start value.
@@ -153,6 +190,19 @@ std::string textOf(const CellTable &table, const TableRow &row) {
     return text;
 }
 
+/// "; 2024-01-01;; 2024-06-01": days above columns.
+std::string daysIn(const CellTable &table, const TableRow &row) {
+    std::set<std::string_view> days;
+    for (const TableCell &cell : table.cells(row)) {
+        if (isDate(table.text(cell)))
+            days.insert(table.text(cell));
+    }
+    std::string list;
+    for (const std::string_view day : days)
+        list += (list.empty() ? "" : ", ") + std::string(day);
+    return days.size() > 1 ? list : std::string();
+}
+
 /// "Forward", "ccw", "As found" above a block.
 bool isTitle(std::string_view text) {
     const HeadingWords words = readHeading(text);
@@ -185,7 +235,9 @@ FileNotes notesOf(const CellTable &table, const TableBody &body) {
         const TableRow &row = table.rows()[index];
         const std::string line = lineOf(table, row);
         const std::string text = textOf(table, row);
-        if (!read(QString::fromStdString(line), notes) && !isTitle(text))
+        if (notes.days.empty())
+            notes.days = daysIn(table, row);
+        if (!read(QString::fromStdString(line), notes) && !readForm(text, notes) && !isTitle(text))
             notes.unused.add(row.line, text);
     }
     return notes;

@@ -16,9 +16,11 @@ namespace palmer {
 struct FileNotes {
     std::string axis;
     std::string plane;               ///< "XY"
-    SaidUnit unit;                   ///< "unit: µm"
+    SaidUnit unit;                   ///< of the readings: "unit: µm", "Deviations in nm", "all values x 0.1"
+    SaidUnit positionUnit;           ///< "Positions in inches"
     std::optional<std::string> date; ///< YYYY-MM-DD
     std::string dateText;            ///< a date that is not ISO, as written
+    std::string days;                ///< several dates in one line above the columns
     std::string operatorName;
     std::string machine;
     std::string serialNumber;

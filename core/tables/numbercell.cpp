@@ -115,6 +115,39 @@ bool isGrouped(std::string_view text, DecimalMark mark) {
            leadingNumber(joined, other).size == joined.size();
 }
 
+/// The number without the blanks between its thousands: "1 000,5"; empty if they do not stand so.
+std::string withoutThousands(std::string_view text) {
+    std::string joined;
+    std::size_t digits = 0; // since the last blank
+    std::size_t blanks = 0;
+    bool isWhole = true;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::string_view rest = text.substr(i);
+        const auto *const wide =
+            std::ranges::find_if(wideBlanks, [&](std::string_view each) { return rest.starts_with(each); });
+        const std::size_t blank = wide != wideBlanks.end() ? wide->size() : rest[0] == ' ' ? 1 : 0;
+        if (blank > 0) {
+            if (digits == 0 || digits > 3 || (blanks > 0 && digits != 3) || !isWhole)
+                return {};
+            ++blanks;
+            digits = 0;
+            i += blank;
+            continue;
+        }
+        if (isWhole && isDigit(rest[0]))
+            ++digits;
+        else if (digits > 0) {
+            if (blanks > 0 && digits != 3)
+                return {};
+            isWhole = false;
+        }
+        joined += rest[0];
+        ++i;
+    }
+    return blanks > 0 && (!isWhole || digits == 3) && joined.find_first_of("123456789") < 4 ? joined
+                                                                                            : std::string();
+}
+
 } // namespace
 
 std::string lowerCase(std::string_view text) {
@@ -263,6 +296,11 @@ CellValue readCell(std::string_view cell, DecimalMark mark) {
     }
     if (!looksLikeNumber(cell))
         return {CellKind::text};
+    if (const std::string joined = withoutThousands(cell); !joined.empty()) {
+        const LeadingNumber whole = leadingNumber(joined, mark);
+        if (whole.size == joined.size())
+            return {CellKind::number, whole.value};
+    }
     return {isGrouped(cell, mark) ? CellKind::grouped : CellKind::broken};
 }
 

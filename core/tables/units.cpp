@@ -214,7 +214,7 @@ std::string scaleIn(const std::string &text) {
         QStringLiteral(
             R"(\b(?:tenths?|hundredths?|thousandths?|zehntel|hundertstel|tausendstel|(?:dix|cent|mill)i[eè]mes?|)"
             R"((?:dec|centes|milles)im[oi]|d[eé]cimas?|(?:cent|mil)[eé]simas?)\b(?:\s+(?:of|de|di|von)\b)?(?:\s+(?:mm|um|inch)\b)?|)"
-            R"(\b1?e\s*[-−]\s*\d+\s*(?:mm|um|m|in|inch|deg|°)\b|)"
+            R"(\b1?e\s*[-−]\s*\d+\s*(?:mm|um|m|in|inch|deg|°)\b|(?<![\w\d])[x×]\s*10+\b|)"
             R"([x×*·]\s*\d+(?:[.,]\d+)?\s*(?:(?:mm|um|nm|cm|in|inch|deg|arcsec)\b|[°″])|)"
             R"((?:\b(?:mm|um|nm|cm|m|in|inch|deg|rad|mrad|urad|arcsec)|[°″])\s*[)\]]?\s*[(\[]?)"
             R"((?:[x×*·]\s*\d+(?:[.,]\d+)?|/\s*(?:\d|(?:m|mm|min|s|sec|h|in|inch|ft|rev|tr|k|kg|n|turn|tour|umdr)\b|°c)))"),

@@ -362,10 +362,7 @@ private:
     Arc arcOf(const BallbarRun &run, const Way &way, double nominalRadius) {
         Arc path;
         path.angleReference = AngleReference::commanded;
-        path.sense = run.sense.value_or(Sense::counterclockwise);
-        if (!run.sense)
-            m.remarks.problem({},
-                              REPORT_TEXT("report", "A run states no direction; taken as counterclockwise."));
+        path.sense = *run.sense;
         const bool clockwise = path.sense == Sense::clockwise;
         // On a partial circle the return run begins where the first ended.
         const double begin = clockwise && way.arc < 360 ? way.start + way.arc : way.start;
@@ -408,9 +405,16 @@ private:
                                  REPORT_TEXT("report", "Start angle: taken as %1. A "
                                                        "wrong one turns squareness into scale mismatch."),
                                  Number{start.value, Quantity::angle});
-        for (const BallbarRun &run : m_runs)
-            measurement.arcs.push_back(
-                arcOf(run, {start.value, arc.value, overshoot.value}, measurement.nominalRadius));
+        for (const BallbarRun &run : m_runs) {
+            if (run.sense)
+                measurement.arcs.push_back(
+                    arcOf(run, {start.value, arc.value, overshoot.value}, measurement.nominalRadius));
+            else
+                m.remarks.problem("unread",
+                                  REPORT_TEXT("report", "A run states no direction and was not read."));
+        }
+        if (measurement.arcs.empty())
+            refuseContent(REPORT_TEXT("report", "no run of the file states its direction"));
         remarkPaths(measurement, m.remarks);
     }
 

@@ -275,7 +275,7 @@ private:
                 std::ranges::any_of(type, [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; });
             if (isWord && std::ranges::none_of(
                               known, [&](std::string_view word) { return containsWord(type, word); })) {
-                m.remarks.assumption(
+                m.remarks.problem(
                     "kind",
                     REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."),
                     excerpt(type));
@@ -305,11 +305,24 @@ private:
         if (!environment)
             return;
         PositioningConditions &conditions = measurement.conditions;
+        // In hPa, %, °C and µm/(m·°C); another unit behind the number is not converted but said.
         const auto within = [&](std::string_view key, double low, double high) -> std::optional<double> {
-            const auto value = numberOf(environment->value(key));
-            return value && *value >= low && *value <= high ? value : std::nullopt;
+            constexpr std::string_view units =
+                "||mbar|hpa|%|%rh|% rh|c|°c|degc|deg c|ppm|ppm/c|ppm/°c|um/m/c|µm/m/°c|";
+            const auto text = environment->value(key);
+            const auto value = numberOf(text);
+            if (!value)
+                return {};
+            const std::size_t end = std::min(text->find_first_of(" \t"), text->size());
+            const bool isUsual =
+                units.find('|' + lowerCase(withoutBlanks(text->substr(end))) + '|') != std::string_view::npos;
+            if (isUsual && *value >= low && *value <= high)
+                return value;
+            m.remarks.note({}, REPORT_TEXT("report", "“%1: %2” was not used."), std::string(key),
+                           excerpt(*text));
+            return {};
         };
-        conditions.airPressure = within("Air press", 500, 1200); // mbar; excludes other units
+        conditions.airPressure = within("Air press", 500, 1200);
         conditions.airHumidity = within("Air humid", 0, 100);
         const auto addSensor = [&](std::string_view key, SensorMeasures what) {
             const auto value = within(key, -20, 60);

@@ -8,8 +8,10 @@
 #include "kernel/numerics/angles.h"
 #include "kernel/numerics/leastsquarescircle.h"
 #include "tables/contenterror.h"
+#include "tables/folded.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -317,6 +319,22 @@ private:
         AngleReference reference = AngleReference::polar;
     };
 
+    /// "Diameter (mm)", "Durchmesser": half of it is read as the radius.
+    void takeDiameters() {
+        const std::string &heading = m.body.columns[m_columns.seconds.front()].heading;
+        const std::string low = folded(heading);
+        constexpr std::array<std::string_view, 4> words{"diameter", "durchmesser", "diametr", "\u2300"};
+        if (std::ranges::none_of(words,
+                                 [&](std::string_view word) { return low.find(word) != std::string::npos; }))
+            return;
+        for (RawPath &path : m_paths) {
+            for (double &value : path.second)
+                value /= 2;
+        }
+        m.remarks.note({}, REPORT_TEXT("report", "“%1”: half of each diameter is read as the radius."),
+                       excerpt(heading));
+    }
+
     void resolveAngleUnits(AngleForm &form) {
         double largest = 0;
         double mean = 0;
@@ -355,9 +373,17 @@ private:
     void resolveRadialSign(AngleForm &form) {
         if (form.radii)
             return;
-        const auto sign = m.choices.resolve("sign", "actualMinusTarget", Origin::guessed);
+        const SaidSign &said = m.notes.sign;
+        const auto sign =
+            m.choices.resolve("sign", said.sign.empty() ? "actualMinusTarget" : said.sign, Origin::guessed);
         form.inverted = sign.value == "targetMinusActual";
-        if (sign.origin == Origin::guessed)
+        if (sign.origin == Origin::guessed && !said.words.empty())
+            m.remarks.problem(
+                "sign",
+                form.inverted ? REPORT_TEXT("report", "Sign: the file says “%1”; read as positive inwards.")
+                              : REPORT_TEXT("report", "Sign: the file says “%1”; read as positive outwards."),
+                excerpt(said.words));
+        else if (sign.origin == Origin::guessed)
             m.remarks.note("sign",
                            REPORT_TEXT("report", "Sign: radial deviations are read as positive outwards."));
     }
@@ -373,6 +399,7 @@ private:
 
     void convertAngles(CircularMeasurement &measurement) {
         AngleForm form{m_columns.layout == "angleRadius"};
+        takeDiameters();
         resolveAngleUnits(form);
         resolveRadialSign(form);
         resolveReference(form);

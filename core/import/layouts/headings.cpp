@@ -47,18 +47,29 @@ bool hasCode(std::string_view text, std::string_view code) {
     return false;
 }
 
+/// A side of a difference, also abbreviated: "nom", "mis", "T".
+Meaning sideOf(std::string_view words) {
+    const std::string word = '|' + std::string(withoutBlanks(words)) + '|';
+    const auto isIn = [&](std::string_view list) { return list.find(word) != std::string_view::npos; };
+    if (isIn("|nom|t|th|theo|n|c|"))
+        return Meaning::target;
+    if (isIn("|act|mes|mis|a|m|"))
+        return Meaning::actual;
+    const HeadingWords side = readHeading(words);
+    const bool isActual = side.meaning == Meaning::actual || side.meaning == Meaning::reading;
+    return side.unknownWords > 0             ? Meaning::unknown
+           : isActual                        ? Meaning::actual
+           : side.meaning == Meaning::target ? Meaning::target
+                                             : Meaning::unknown;
+}
+
 /// "soll - ist": one side of the minus is the target, the other the measured value.
 std::string signOfDifference(std::string_view left, std::string_view right) {
-    const HeadingWords from = readHeading(left);
-    const HeadingWords to = readHeading(right);
-    const auto isActual = [](const HeadingWords &words) {
-        return words.meaning == Meaning::actual || words.meaning == Meaning::reading;
-    };
-    if (from.unknownWords > 0 || to.unknownWords > 0)
-        return {};
-    if (isActual(from) && to.meaning == Meaning::target)
+    const Meaning from = sideOf(left);
+    const Meaning to = sideOf(right);
+    if (from == Meaning::actual && to == Meaning::target)
         return "actualMinusTarget";
-    return from.meaning == Meaning::target && isActual(to) ? "targetMinusActual" : "";
+    return from == Meaning::target && to == Meaning::actual ? "targetMinusActual" : "";
 }
 
 } // namespace
@@ -143,6 +154,27 @@ SaidSign saidSign(std::string_view text) {
             if (std::string found = signOfDifference(left, right); !found.empty())
                 return {std::move(found), excerpt(withoutBlanks(line.substr(begin, end - begin)))};
         }
+    }
+    return {};
+}
+
+std::string unclearDifference(std::string_view heading) {
+    const std::string low = folded(withoutUnit(heading.substr(0, 300)));
+    const std::string_view line = low;
+    const auto isPart = [](char c) { return isLetter(c) || c == '_'; };
+    for (std::size_t at = line.find_first_of("-/"); at != std::string_view::npos;
+         at = line.find_first_of("-/", at + 1)) {
+        std::size_t begin = at;
+        while (begin > 0 && isPart(line[begin - 1]))
+            --begin;
+        std::size_t end = at + 1;
+        while (end < line.size() && isPart(line[end]))
+            ++end;
+        const std::string_view left = line.substr(begin, at - begin);
+        const std::string_view right = line.substr(at + 1, end - at - 1);
+        const bool goesOn = end + 1 < line.size() && line[end] == '-' && isPart(line[end + 1]);
+        if (left.size() > 2 && right.size() > 2 && !goesOn && !signOfDifference(left, right).empty())
+            return excerpt(line.substr(begin, end - begin));
     }
     return {};
 }

@@ -28,4 +28,8 @@ struct SaidSign {
 /// "Soll-Ist-Vergleich" compares both without stating a sign.
 [[nodiscard]] SaidSign saidSign(std::string_view text);
 
+/// "Soll-Ist", "Target/Actual" in the heading of readings: words for both sides, joined without saying which
+/// is subtracted from which. Empty if there are none.
+[[nodiscard]] std::string unclearDifference(std::string_view heading);
+
 } // namespace palmer

@@ -70,7 +70,7 @@ struct StatedForm {
     std::string sign;    ///< a word of the choice, if the file proves it
     SaidUnit unit = {};
     SaidUnit positionUnit = {};
-    SaidSign said = {};        ///< in words of the file, to be confirmed
+    SaidSign said = {};        ///< in words of the file, to be confirmed; words alone leave the sign open
     bool isCorrection = false; ///< a heading of the data read names a correction
 };
 

@@ -226,6 +226,11 @@ private:
                      : REPORT_TEXT("report", "Sign: the file says “%1”; read as actual − target."),
                  {m_stated.said.words}},
                 "sign");
+        else if (sign.origin == Origin::guessed && !m_stated.said.words.empty())
+            m_remarks.problem("sign",
+                              REPORT_TEXT("report", "Sign: the file says “%1”, which does not tell what is "
+                                                    "subtracted from what; read as actual − target."),
+                              m_stated.said.words);
         else if (sign.origin == Origin::guessed && m_stated.isCorrection)
             m_remarks.problem("sign",
                               REPORT_TEXT("report", "Sign: the file speaks of a correction, whose sign is "

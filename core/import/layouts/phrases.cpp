@@ -129,7 +129,7 @@ constexpr std::array phrases{
             "nennwinkel|it: obiettivo|bersaglio|comandata|programmata|it es: teorica|es: objetivo|consigna|"
             "programada|comandada|cs pl: cíl|cílová|zadaná|zadana|docelowa|nominalna|nominální|ru: цель|"
             "целевая|заданная|заданное|номинал|номинальное|zh ja: 目标|目标位置|指令位置|理论位置|目標|"
-            "目標位置|*: tgt|trgt|pi|p i"},
+            "目標位置|*: tgt|trgt|cmd|pi|p i"},
     Phrases{Meaning::place, Sign::none,
             "en fr de: position|en fr: positions|*: pos|p|it: posizione|quota|es: posicion|cota|fr: cote|"
             "abscisse|en: coordinate|de: messposition|messpunkt|achsposition|prufposition|prufpunkt|"

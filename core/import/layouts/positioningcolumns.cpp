@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace palmer {
 
@@ -20,6 +21,57 @@ bool isUntitled(const ColumnSearch &search, std::size_t c) {
            !isCounter(search.reading, c);
 }
 
+/// The cells of a column in all rows of the table.
+std::vector<std::string_view> cellsOf(const ColumnSearch &search, std::size_t c) {
+    std::vector<std::string_view> cells;
+    for (const TableBlock &block : search.reading.body.blocks) {
+        for (const std::uint32_t row : block.rows)
+            cells.push_back(search.reading.cellText(row, c));
+    }
+    return cells;
+}
+
+/// "(4.5)", "3.5±0.2", "0x10": cells with numbers that are not read as such, under a heading of readings or
+/// targets.
+bool isUnreadable(const ColumnSearch &search, std::size_t c) {
+    const TableColumn &head = search.reading.body.columns[c];
+    const std::vector<TableColumn> &heads = search.reading.body.columns;
+    const bool hasTargets = search.result.target &&
+                            isOneOf(heads[*search.result.target].meaning, {Meaning::target, Meaning::place});
+    const bool isNamed = head.words.direction || head.words.hint ||
+                         isOneOf(head.meaning, {Meaning::deviation, Meaning::reading, Meaning::actual}) ||
+                         (!hasTargets && isOneOf(head.meaning, {Meaning::target, Meaning::place}));
+    return head.kind == ColumnKind::words && isNamed &&
+           std::ranges::any_of(cellsOf(search, c), [](std::string_view cell) {
+               return cell.substr(0, 2).find_first_of("0123456789") != std::string_view::npos;
+           });
+}
+
+/// "µm" in a column of its own is the unit of the readings; units that differ from line to line, or that are
+/// not known, are asked for.
+void takeUnitColumn(ColumnSearch &search) {
+    const std::vector<TableColumn> &heads = search.reading.body.columns;
+    for (std::size_t c = 0; c < heads.size() && !search.result.unit.isSaid(); ++c) {
+        if (heads[c].kind != ColumnKind::words || search.result.columns[c].role != ColumnRole::ignored)
+            continue;
+        const std::vector<std::string_view> cells = cellsOf(search, c);
+        const std::set<std::string_view> different(cells.begin(), cells.end());
+        constexpr std::size_t most = 4;
+        if (different.size() > most)
+            continue;
+        SaidUnit unit;
+        for (const std::string_view cell : different) {
+            const SaidUnit said = saidUnit('(' + std::string(cell) + ')');
+            if (!said.isSaid())
+                return;
+            unit = different.size() == 1
+                       ? said
+                       : SaidUnit{nullptr, unit.foreign + (unit.isSaid() ? ", " : "") + std::string(cell)};
+        }
+        search.result.unit = unit;
+    }
+}
+
 /// True if an unread column has a heading or position typical of readings.
 bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
     const TableColumn &head = search.reading.body.columns[c];
@@ -27,6 +79,8 @@ bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
     const bool isOfAxis = axis.empty() || head.words.axis == 0 || head.words.axis == axis[0];
     const bool isOfOtherState =
         head.words.state != TestRole::notStated && head.words.state != search.reading.stateFound;
+    if (isOfAxis && !isOfOtherState && isUnreadable(search, c))
+        return true;
     if (head.kind != ColumnKind::numbers || search.result.columns[c].role != ColumnRole::ignored ||
         !isOfAxis || isOfOtherState ||
         (head.meaning == Meaning::run && !head.words.number && isCounter(search.reading, c)))
@@ -129,6 +183,7 @@ void resolve(ColumnSearch &search) {
         refuseContent(REPORT_TEXT("report", "the columns of the targets and "
                                             "of the readings are not known; give the columns their roles"));
     placeOwnTargets(search.result);
+    takeUnitColumn(search);
     remarkIgnored(search);
 }
 

@@ -129,6 +129,10 @@ SaidSign signOf(const TableReading &reading) {
         if (SaidSign said = saidSign(column.heading); !said.sign.empty())
             return said;
     }
+    for (const ImportColumn &column : reading.result.columns) {
+        if (std::string words = unclearDifference(column.heading); column.hasReadings() && !words.empty())
+            return {{}, std::move(words)};
+    }
     return reading.notes.sign;
 }
 
@@ -144,12 +148,35 @@ bool namesCorrection(const TableReading &reading) {
 
 /// The word for a quantity measured along an axis other than its position; empty if there is none.
 std::string otherQuantity(std::string_view text) {
-    constexpr std::array<std::string_view, 26> words{
-        "straightness", "squareness", "flatness", "yaw",          "geradheit",         "rechtwinkligkeit",
-        "ebenheit",     "gieren",     "nicken",   "rectitude",    "perpendicularite",  "planeite",
-        "lacet",        "tangage",    "roulis",   "rettilineita", "perpendicolarita",  "planarita",
-        "imbardata",    "beccheggio", "rollio",   "rectitud",     "perpendicularidad", "planitud",
-        "guinada",      "cabeceo"};
+    constexpr std::array<std::string_view, 29> words{"straightness",
+                                                     "squareness",
+                                                     "flatness",
+                                                     "yaw",
+                                                     "geradheit",
+                                                     "rechtwinkligkeit",
+                                                     "ebenheit",
+                                                     "gieren",
+                                                     "nicken",
+                                                     "rectitude",
+                                                     "perpendicularite",
+                                                     "planeite",
+                                                     "lacet",
+                                                     "tangage",
+                                                     "roulis",
+                                                     "rettilineita",
+                                                     "perpendicolarita",
+                                                     "planarita",
+                                                     "imbardata",
+                                                     "beccheggio",
+                                                     "rollio",
+                                                     "rectitud",
+                                                     "perpendicularidad",
+                                                     "planitud",
+                                                     "guinada",
+                                                     "cabeceo",
+                                                     "lag error",
+                                                     "following error",
+                                                     "schleppfehler"};
     const std::string low = folded(text.substr(0, 500));
     const auto isLetter = [&](std::size_t i) {
         return i < low.size() && ((low[i] >= 'a' && low[i] <= 'z') || (low[i] & '\x80') != 0);
@@ -167,7 +194,7 @@ void askForOtherQuantity(TableReading &reading) {
     rows.insert(rows.end(), reading.body.columnHeads.begin(), reading.body.columnHeads.end());
     for (const std::uint32_t row : rows) {
         if (const std::string word = otherQuantity(reading.textOf(row)); !word.empty()) {
-            reading.remarks.assumption(
+            reading.remarks.problem(
                 {"kind", reading.row(row).line},
                 REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."), word);
             return;
@@ -187,6 +214,12 @@ void readPositioning(TableReading &reading) {
     if (std::ranges::none_of(found.passes, hasReading))
         refuseWithoutReadings();
     askForOtherQuantity(reading);
+    if (!reading.notes.days.empty())
+        reading.remarks.problem("columns",
+                                REPORT_TEXT("report",
+                                            "Columns: they are of several days (%1); all runs are read "
+                                            "as those of one test."),
+                                excerpt(reading.notes.days));
     resolveDirections(found, reading);
     colour(found.passes, reading);
     std::vector<Pass> passes = inOrder(std::move(found.passes), reading);
@@ -194,10 +227,12 @@ void readPositioning(TableReading &reading) {
     const SaidUnit &noted = reading.notes.unit;
     const bool isTooSmall = noted.unit && noted.unit->toBase(1) < 1 && arePositions(passes);
     const SaidUnit unit = found.unit.isSaid() || isTooSmall ? found.unit : noted;
-    const PassForm form = resolveForm(
-        passes,
-        {found.content, found.sign, unit, found.positionUnit, signOf(reading), namesCorrection(reading)},
-        reading.choices, reading.result.remarks);
+    const PassForm form =
+        resolveForm(passes,
+                    {found.content, found.sign, unit,
+                     found.positionUnit.isSaid() ? found.positionUnit : reading.notes.positionUnit,
+                     signOf(reading), namesCorrection(reading)},
+                    reading.choices, reading.result.remarks);
     reading.result.test = testFrom(measurementOf(std::move(passes), form, reading.result.remarks),
                                    axisName(reading), reading.choices);
     reading.result.test->role = reading.stateFound;

@@ -3,6 +3,7 @@
 #include "import/layouts/columnsearch.h"
 
 #include "document/place.h"
+#include "tables/dates.h"
 #include "tables/folded.h"
 
 #include <algorithm>
@@ -320,7 +321,9 @@ private:
     void keepOneStem() {
         const auto stemOf = [&](std::size_t c) {
             const std::size_t letters = words(c).hint ? 1 : 0; // "1A" next to "1R"
-            return words(c).group + (words(c).unknownWords > letters ? words(c).stem : std::string());
+            // Readings of another day are another test.
+            return words(c).group + (words(c).unknownWords > letters ? words(c).stem : std::string()) +
+                   isoDate(m_heads[c].heading).value_or(std::string());
         };
         std::map<std::string, std::size_t> counts;
         for (const std::size_t c : m_result.values)

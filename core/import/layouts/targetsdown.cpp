@@ -404,6 +404,16 @@ private:
         return titles.empty() ? HeadingWords() : readHeading(m.textOf(titles.front()));
     }
 
+    /// "Machine: B", "F1000": the letter is no direction, as in "1A" and "R 2".
+    [[nodiscard]] static bool isName(const HeadingWords &title) {
+        constexpr unsigned mostRuns = 99;
+        const auto isLetter = [](char c) { return c != ' '; };
+        const bool hasWord = std::ranges::adjacent_find(title.stem, [&](char a, char b) {
+                                 return isLetter(a) && isLetter(b);
+                             }) != title.stem.end();
+        return !title.isHintWord && (title.number > mostRuns || hasWord);
+    }
+
     /// "After compensation" or "Machine 2" above a block, or run numbers of the former block: perhaps another
     /// test.
     void askForUnnamedBlocks() {
@@ -412,7 +422,7 @@ private:
             const Piece &piece = m_pieces[i];
             const HeadingWords title = titleOf(*piece.block);
             const bool isRun = (title.meaning == Meaning::run && title.number) || title.direction ||
-                               title.hint || directionOfBlock(m, *piece.block).stated;
+                               (title.hint && !isName(title)) || directionOfBlock(m, *piece.block).stated;
             const bool begins = i > 0 && piece.block != m_pieces[i - 1].block;
             bool isOther = begins && !isRun && title.unknownWords > 0;
             for (const std::size_t column : m_columns.values) {

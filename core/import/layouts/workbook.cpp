@@ -193,7 +193,9 @@ private:
         if (m_sheets.size() < 2 && !doubtful)
             return;
         Remark remark{
-            choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
+            choice.origin != Origin::guessed     ? RemarkGrade::note
+            : m_measurements > 1 || m_tables > 1 ? RemarkGrade::problem
+                                                 : RemarkGrade::assumption,
             {sheet.isHidden
                  ? REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read, which is hidden.")
              : choice.origin == Origin::guessed && m_measurements < 2
@@ -252,7 +254,7 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
                         imported.table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
                         imported.table.decimalMark.origin);
         if (imported.table.decimalMark.origin == Origin::guessed)
-            imported.remarks.assumption(
+            imported.remarks.problem(
                 "decimalMark", REPORT_TEXT("report", "Decimal mark: numbers that "
                                                      "stand there as text can be read in several ways."));
     }

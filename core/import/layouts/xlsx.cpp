@@ -286,8 +286,10 @@ private:
             if (m_isFormula && m_value.empty())
                 m_sheet.addEmptyFormula();
             addNumber(m_value, m_shown, m_cells.firstDay, column, m_sheet);
+        } else if (m_type == "b") {
+            m_sheet.add(column, m_value == "1" ? "TRUE" : "FALSE", {});
         } else {
-            m_sheet.add(column, m_value, {}); // strings, errors such as #N/A, booleans
+            m_sheet.add(column, m_value, {}); // strings, errors such as #N/A
         }
     }
 

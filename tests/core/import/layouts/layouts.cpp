@@ -426,7 +426,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("a line without a target", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;3;7\n;2;6\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / unread");
     row("negative numbers in brackets", "P (mm);↑1 (µm);↓1 (µm)\n0;(1);5\n100;(3);7\n200;5;(6)\n",
-        "target,ignored,run-1 / 0 100 / ↓ 5 7 / columns unread");
+        "target,ignored,run-1 / 0 100 / ↓ 5 7 / columns columns unread");
     // Targets twice in a run.
     row("a target twice", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n100;3;7\n200;4;8\n",
         "target,run+1,run-1 / 0 100 200 / ↑ 1 2 – / ↓ 5 6 – / ↑ – 3 4 / ↓ – 7 8 / layout");
@@ -700,7 +700,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     // Dates and times that a spreadsheet has made of readings.
     row("readings that became dates and times",
         "Target (mm);Forward (µm);Reverse (µm)\n0;1;2\n100;2026-01-05;3\n200;01:30;4\n",
-        "target,ignored,run- / 0 100 200 / ↓ 2 3 4 / columns");
+        "target,ignored,run- / 0 100 200 / ↓ 2 3 4 / columns columns");
     row("readings that all became times",
         "Target (mm);Forward (µm);Reverse (µm)\n0;01:10;2\n100;01:20;3\n200;01:30;4\n",
         "target,ignored,run- / 0 100 200 / ↓ 2 3 4 / columns");

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "core/import/importpicture.h"
+
+#include <QTest>
+
+using namespace palmer;
+
+namespace {
+
+const QByteArray numbers = "0;-1;-2\n100;-3;-4\n200;-2;-5\n";
+
+/// The grade of a question about a choice; null where there is none.
+std::optional<QuestionGrade> gradeOf(const Imported &imported, std::string_view id) {
+    std::optional<QuestionGrade> grade;
+    for (const Question &question : imported.questions) {
+        if (question.id == id && grade != QuestionGrade::doubtful)
+            grade = question.grade;
+    }
+    return grade;
+}
+
+const PositioningMeasurement &measurementOf(const Imported &imported) {
+    return std::get<PositioningMeasurement>(imported.test->measurement);
+}
+
+} // namespace
+
+/// What a file says beside its numbers is read or asked for, never passed over: a sign, a unit, a factor, a
+/// day, a machine, a column.
+class UnreadStatementsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// The words of both sides in five languages, joined in every way: read as they stand, or asked for.
+    void differencesGiveTheSign() {
+        struct Sides {
+            const char *target;
+            const char *actual;
+        };
+        constexpr std::array sides{Sides{"Target", "Actual"},    Sides{"Soll", "Ist"},
+                                   Sides{"Sollwert", "Istwert"}, Sides{"Nominal", "Measured"},
+                                   Sides{"Théorique", "Réel"},   Sides{"Nominale", "Misurato"},
+                                   Sides{"Consigna", "Real"},    Sides{"x_cmd", "x_meas"}};
+        int read = 0;
+        int asked = 0;
+        for (const auto &[target, actual] : sides) {
+            for (const char *join : {" - ", "-", "/", " − "}) {
+                for (const bool isReversed : {true, false}) {
+                    const QByteArray words =
+                        isReversed ? QByteArray(target) + join + actual : QByteArray(actual) + join + target;
+                    const QByteArray text =
+                        "Position (mm);" + words + " + (µm);" + words + " - (µm)\n" + numbers;
+                    const Imported imported = showMeasurement(text, "x.csv", {});
+                    if (!imported.test)
+                        continue; // asked for whole
+                    if (gradeOf(imported, "sign") == QuestionGrade::doubtful ||
+                        gradeOf(imported, "columns") == QuestionGrade::doubtful) {
+                        ++asked;
+                        continue;
+                    }
+                    ++read;
+                    const auto &first = measurementOf(imported).runs.at(0).deviations.at(0);
+                    QVERIFY2(first && (*first > 0) == isReversed,
+                             qPrintable(QString::fromUtf8(text) + testdata::picture(imported)));
+                }
+            }
+        }
+        qInfo("read %d, asked %d", read, asked);
+        QVERIFY(read > 10);
+        QVERIFY(asked > 10);
+    }
+
+    void asksForWhatItDoesNotUse_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("id");
+        const QByteArray plain = "Target (mm);Forward;Reverse\n0;10;20\n100;30;40\n200;20;50\n";
+        for (const char *line :
+             {"All values in 0.1 µm", "Deviations in tenths of a micron", "Scale factor 0.1",
+              "Facteur d'échelle 10", "Valeurs en dixièmes de micron", "deviations in 0.0001 in"})
+            QTest::newRow(line) << line + ("\n" + plain) << "unit";
+        for (const char *line : {"Signs inverted", "Vorzeichen umgekehrt", "Signe inversé"})
+            QTest::newRow(line) << line + ("\n" + plain) << "sign";
+        QTest::newRow("factor between heading and unit")
+            << QByteArray("Target (mm);Fwd x10 (µm);Rev x10 (µm)\n0;10;20\n100;30;40\n200;50;60\n") << "unit";
+        QTest::newRow("units differ from line to line")
+            << QByteArray("Target;Deviation ↑;Unit\n0;1;µm\n100;3;µm\n200;5;nm\n") << "unit";
+        for (const char *cells : {"(4.5);(5.5);(6.5)", "3.5±0.2;2.5±0.2;4.5±0.2", "0x10;0x20;0x30"}) {
+            const QList<QByteArray> cell = QByteArray(cells).split(';');
+            QTest::newRow(cells) << "Target (mm);Forward (µm);Reverse (µm)\n0;3.5;" + cell[0] + "\n100;2.5;" +
+                                        cell[1] + "\n200;1.5;" + cell[2] + '\n'
+                                 << "columns";
+            QTest::newRow(qPrintable(QString("targets ") + cells))
+                << "Target (mm);Forward (µm);Reverse (µm)\n" + cell[0] + ";3.5;4.5\n" + cell[1] +
+                       ";2.5;5.5\n" + cell[2] + ";1.5;6.5\n"
+                << "columns";
+        }
+        QTest::newRow("days above columns")
+            << QByteArray(";2024-01-01;;2024-06-01;\nTarget (mm);Fwd (µm);Rev (µm);Fwd (µm);Rev "
+                          "(µm)\n0;1;2;3;4\n100;3;4;5;6\n200;5;6;7;8\n")
+            << "columns";
+        const QByteArray block = "\nTarget (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+        QTest::newRow("two machines") << "Machine: A" + block + "\nMachine: B" + block << "layout";
+        QTest::newRow("two feeds") << "F1000" + block + "\nF5000" + block << "layout";
+        for (const char *title : {"Measurement: Straightness in Y", "Geradheit", "Schleppfehler", "Lacet"})
+            QTest::newRow(title) << title + block << "kind";
+        QTest::newRow("thousands or decimals")
+            << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1.000;3;4\n2.000;5;6\n") << "decimalMark";
+    }
+    void asksForWhatItDoesNotUse() {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, id);
+        const Imported imported = showMeasurement(text, "x.csv", {});
+        const bool isRefused = imported.refusal.has_value();
+        QVERIFY2(isRefused || gradeOf(imported, id.toStdString()) == QuestionGrade::doubtful,
+                 qPrintable(testdata::picture(imported) + testdata::questions(imported)));
+    }
+
+    void readsWhatItUnderstands_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<double>("target"); ///< the second, mm
+        QTest::addColumn<double>("first");  ///< deviation, µm
+        const QByteArray plain = "\nTarget;Forward;Reverse\n0;10;20\n100;30;40\n200;20;50\n";
+        for (const char *line : {"Readings in nm", "Werte in nm", "Écarts en nm", "deviations in nanometres"})
+            QTest::newRow(line) << line + plain << 100.0 << 0.01;
+        QTest::newRow("positions in inches") << "Positions in inches\nUnit: µm" + plain << 2540.0 << 10.0;
+        QTest::newRow("unit in a column")
+            << QByteArray("Target;Deviation ↑;Unit\n0;1;nm\n100;3;nm\n200;5;nm\n") << 100.0 << 0.001;
+        for (const char *blank : {"\u00A0", "\u202F", " "})
+            QTest::newRow(
+                qPrintable(QString("thousands parted by U+%1").arg(QString(blank)[0].unicode(), 4, 16)))
+                << "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1" + QByteArray(blank) + "000;3;4\n2" + blank +
+                       "000,5;5;6\n"
+                << 1000.0 << 1.0;
+    }
+    void readsWhatItUnderstands() {
+        QFETCH(QByteArray, text);
+        QFETCH(double, target);
+        QFETCH(double, first);
+        const Imported imported = importMeasurement(text, "x.csv");
+        const PositioningMeasurement &measurement = measurementOf(imported);
+        QCOMPARE(measurement.targets.at(1), target);
+        QVERIFY(measurement.runs.at(0).deviations.at(0).has_value());
+        QCOMPARE(*measurement.runs.at(0).deviations.at(0) * 1000, first);
+    }
+
+    void halvesDiameters_data() {
+        QTest::addColumn<QByteArray>("heading");
+        for (const char *heading : {"Diameter", "Durchmesser", "Diamètre", "Diametro"})
+            QTest::newRow(heading) << QByteArray(heading);
+    }
+    void halvesDiameters() {
+        QFETCH(QByteArray, heading);
+        QByteArray text = "Angle (deg);" + heading + " (mm)\n";
+        for (int i = 0; i <= 36; ++i)
+            text += QByteArray::number(10 * i) + ';' + QByteArray::number(300.006 - 0.012 * (i % 2), 'f', 3) +
+                    '\n';
+        const Imported imported = importMeasurement(text, "x.csv");
+        const auto &circle = std::get<CircularMeasurement>(imported.test->measurement);
+        QCOMPARE(circle.nominalRadius, 150.0);
+        QVERIFY(std::abs(circle.arcs.at(0).radialDeviations.at(0) - 0.003) < 1e-9);
+    }
+};
+
+QTEST_GUILESS_MAIN(UnreadStatementsTest)
+
+#include "unreadstatements.moc"
