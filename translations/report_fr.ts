@@ -1405,6 +1405,10 @@
         <translation>Commande</translation>
     </message>
     <message>
+        <source>procedure %1</source>
+        <translation>procédure %1</translation>
+    </message>
+    <message>
         <source>Procedure</source>
         <translation>Procédure</translation>
     </message>
@@ -4745,9 +4749,8 @@
         <translation>pas au-dessous du point suivant, %1</translation>
     </message>
     <message>
-        <source>limit ± g</source>
-        <comment>of a figure</comment>
-        <translation>limite ± g</translation>
+        <source>limit ± %1</source>
+        <translation>limite ± %1</translation>
     </message>
     <message>
         <source>limit</source>

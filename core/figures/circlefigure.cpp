@@ -563,8 +563,9 @@ CircleFigure framed(const Plane &plane, std::span<const PathProfile> profiles,
     return figure;
 }
 
-void setScale(CircleFigure &figure, const Interval &deviations, const Language &language) {
-    const CircleScale scale = circleScale(deviations, figure.figureRadius);
+void setScale(CircleFigure &figure, const Interval &deviations, const CircleFigureOptions &options,
+              const Language &language) {
+    const CircleScale scale = circleScale(deviations, figure.figureRadius, options.mostMagnification);
     figure.plotRadius = scale.plotRadius;
     figure.magnification = scale.magnification;
     figure.ratio = ratio(figure.magnification, language);
@@ -644,7 +645,7 @@ Message centreText(const CircleSource &source) {
 
 } // namespace
 
-CircleScale circleScale(const Interval &deviations, double figureRadius) {
+CircleScale circleScale(const Interval &deviations, double figureRadius, double most) {
     const double inward = std::min(0.0, deviations.from) / micrometresPerMillimetre;
     const double outward = std::max(0.0, deviations.to) / micrometresPerMillimetre;
     const double inner = innerLimit * figureRadius;
@@ -657,11 +658,11 @@ CircleScale circleScale(const Interval &deviations, double figureRadius) {
     const auto fitsMoved = [&](double magnification) {
         return magnification * (outward - inward) <= (figureRadius - inner) * tolerance;
     };
-    const auto largest = [](const auto &suits) {
+    const auto largest = [most](const auto &suits) {
         for (int decade = highestDecade; decade > lowestDecade; --decade) {
             for (const double factor : {1.0, 0.5, 0.2}) {
                 const double magnification = factor * std::pow(10.0, decade);
-                if (suits(magnification))
+                if (magnification <= most && suits(magnification))
                     return magnification;
             }
         }
@@ -747,7 +748,7 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
         addContacts(figure, profiles, figure.envelope->inner, false);
     }
     const Interval deviations = reach(figure, profiles);
-    setScale(figure, deviations, language);
+    setScale(figure, deviations, options, language);
     if (figure.envelope && figure.envelope->limit &&
         *figure.envelope->limit * figure.magnification / micrometresPerMillimetre > figure.figureRadius) {
         figure.envelope->limit.reset();
@@ -771,7 +772,7 @@ CircleFigure pathsFigure(std::span<const PathProfile> profiles, const Plane &pla
                          const CircleFigureOptions &options) {
     CircleFigure figure = framed(plane, profiles, options);
     const Interval deviations = reach(figure, profiles);
-    setScale(figure, deviations, language);
+    setScale(figure, deviations, options, language);
     const Visible inView = visible(figure);
     addRings(figure, deviations, inView, language);
     addTraces(figure, profiles, inView);

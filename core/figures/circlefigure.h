@@ -23,16 +23,17 @@ struct CircleScale {
 /// Largest magnification 1, 2 or 5·10^k, at most 100 000, with which the deviations from … to (µm) and the
 /// nominal circle lie between 0.15 and 1 times the radius of the figure (mm). The nominal circle lies at
 /// 34/49 of it; if the paths are so one-sided that moving the circle allows five times the magnification or
-/// more, it moves as far as needed. figureRadius > 0.
-[[nodiscard]] CircleScale circleScale(const Interval &deviations, double figureRadius);
+/// more, it moves as far as needed. figureRadius > 0. `most`: that of another figure it is compared with.
+[[nodiscard]] CircleScale circleScale(const Interval &deviations, double figureRadius, double most = 1e5);
 
 struct CircleFigureOptions {
     CircleOf of = CircleOf::both; ///< both: one figure with all measured senses
     CircleSubject subject = CircleSubject::circularDeviation;
-    QSizeF size{112, 105};    ///< drawing without its legend, mm; decides the magnification
-    bool repetitions = false; ///< also draw further arcs of a sense
-    bool contacts = false;    ///< mark the points that determine the result
-    bool limits = true;       ///< draw the limit of G or G(b) as a width, limits of F as circles
+    QSizeF size{112, 105};          ///< drawing without its legend, mm; decides the magnification
+    double mostMagnification = 1e5; ///< so that figures can be compared
+    bool repetitions = false;       ///< also draw further arcs of a sense
+    bool contacts = false;          ///< mark the points that determine the result
+    bool limits = true;             ///< draw the limit of G or G(b) as a width, limits of F as circles
     bool fillFrame =
         false; ///< true: a short arc fills the drawing; false: the circle is centred in the drawing
     double pointStep = 0.1; ///< mm on the drawing; of points closer together only the extremes are kept

@@ -256,21 +256,31 @@ void addLegend(CurveFigure &figure, const AxisSource &source, const Language &la
 }
 
 /// Limits outside the axis are not drawn but named; the others get a legend entry.
-void addLimits(CurveFigure &figure, const Language &language) {
+void addLimits(CurveFigure &figure, const Test &test, const TestEvaluation &evaluation,
+               const Language &language) {
     bool band = false;
+    bool bandIsU = test.decisionRule.guardFactor == 1;
     bool any = false;
     QStringList beyond;
     for (Dimension &dimension : figure.dimensions) {
-        if (!dimension.limit)
+        const auto shown = std::ranges::find(evaluation.parameters, dimension.id.toStdString(),
+                                             [](const Parameter &p) { return std::string(p.term.id); });
+        if (!dimension.limit || shown == evaluation.parameters.end())
             continue;
+        const double value = *shown->limit->value;
+        const Quantity quantity = shown->term.quantity;
+        const int decimals = limitDecimals(value, quantity, language.units());
+        dimension.limitText = language.number(value, quantity, decimals);
         if (dimension.lower + *dimension.limit > figure.y.to) {
-            beyond << dimension.label + QStringLiteral("\u00A0") + dimension.limitText;
+            beyond << dimension.label + QStringLiteral("\u00A0") +
+                          language.quantity(value, quantity, decimals);
             dimension.limit.reset();
             dimension.guard.reset();
             continue;
         }
         any = true;
         band |= dimension.guard.has_value();
+        bandIsU = bandIsU && shown->decidedBy != UncertaintyMethod::monteCarlo;
     }
     if (!beyond.isEmpty())
         figure.note =
@@ -278,10 +288,11 @@ void addLimits(CurveFigure &figure, const Language &language) {
                                                  : REPORT_TEXT("report", "limits beyond the scale: %1"),
                               {beyond.join(QStringLiteral(", ")).toStdString()});
     if (any)
-        figure.legend.push_back({LegendSample::limit,
-                                 band ? language.text(REPORT_TEXT_FOR("report", "limit ± g", "of a figure"))
-                                      : language.text(REPORT_TEXT_FOR("report", "limit", "of a figure")),
-                                 band});
+        figure.legend.push_back(
+            {LegendSample::limit,
+             band ? language.sentence({REPORT_TEXT("report", "limit ± %1"), {bandIsU ? "U" : "g"}, {}})
+                  : language.text(REPORT_TEXT_FOR("report", "limit", "of a figure")),
+             band});
 }
 
 Interval rangeOfPositions(const CurveFigure &figure, bool rotary) {
@@ -368,15 +379,7 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
     const Interval positions = rangeOfPositions(figure, rotary);
     const Interval values = rangeOfValues(figure);
     figure = withRanges(std::move(figure), positions, values, language);
-    for (Dimension &dimension : figure.dimensions) {
-        const auto shown = std::ranges::find(evaluation.parameters, dimension.id.toStdString(),
-                                             [](const Parameter &p) { return std::string(p.term.id); });
-        if (dimension.limit && shown != evaluation.parameters.end())
-            dimension.limitText = language.quantity(
-                *shown->limit->value, shown->term.quantity,
-                limitDecimals(*shown->limit->value, shown->term.quantity, language.units()));
-    }
-    addLimits(figure, language);
+    addLimits(figure, test, evaluation, language);
     return figure;
 }
 

@@ -64,13 +64,13 @@ void drawTrace(CircleFrame &frame, const std::vector<TracePoint> &points, QPen l
     }
 }
 
-void drawTraces(CircleFrame &frame, bool repetitions) {
+void drawTraces(CircleFrame &frame, bool repetitions, Sense sense) {
     frame.painter().setBrush(Qt::NoBrush);
     for (const CircleTrace &trace : frame.figure().traces) {
-        if (trace.repetition != repetitions || trace.synthetic)
+        if (trace.repetition != repetitions || trace.synthetic || trace.sense != sense)
             continue;
         QPen line = trace.layer ? layerPen(*trace.layer, frame.medium()) : frame.pen(trace.sense);
-        if (trace.layer && trace.sense == Sense::clockwise)
+        if (trace.layer && trace.sense == Sense::counterclockwise)
             line.setWidthF(line.widthF() / 2);
         if (repetitions) {
             line.setColor(blend(line.color(), frame.colour(FigureRole::background), repetitionStrength));
@@ -131,8 +131,10 @@ void drawPlus(CircleFrame &frame, QPointF at) {
 
 void drawTraces(CircleFrame &frame) {
     QPainter &p = frame.painter();
-    for (const bool repetitions : {true, false})
-        drawTraces(frame, repetitions);
+    for (const bool repetitions : {true, false}) {
+        for (const Sense sense : {Sense::clockwise, Sense::counterclockwise}) // the light one above
+            drawTraces(frame, repetitions, sense);
+    }
     p.setBrush(Qt::NoBrush);
     for (const CircleTrace &trace : frame.figure().traces) {
         if (!trace.synthetic)

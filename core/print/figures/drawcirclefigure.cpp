@@ -6,6 +6,7 @@
 #include "print/figures/circletraces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -243,14 +244,35 @@ private:
 
     // ---- Scale and key -----------------------------------------------------------------------------------
 
+    /// Where the scale bar begins on paper: in the first corner where its texts meet neither axis nor path.
+    [[nodiscard]] QPointF placeOfScale(double length) {
+        const double across =
+            std::max(length + scaleText * mm + textWidth(m_figure.divisionLabel), textWidth(m_figure.ratio));
+        const double left = m_plot.left() + scaleLeft * m_unit;
+        const double right = m_plot.right() - scaleLeft * m_unit - across;
+        const double bottom = m_plot.bottom() - scaleBottom * m_unit;
+        const double top = m_plot.top() + (scaleBottom + ratioAbove) * mm;
+        const std::array corners{QPointF(left, bottom), QPointF(right, bottom), QPointF(left, top),
+                                 QPointF(right, top)};
+        const auto isFree = [&](QPointF corner) {
+            const QRectF box(corner.x() - mm, corner.y() - ratioAbove * mm - CircleLabels::height / 2,
+                             across + 2 * mm, ratioAbove * mm + CircleLabels::height);
+            const QPointF centre = m_frame.centre();
+            const bool onAxis = (centre.x() > box.left() && centre.x() < box.right()) ||
+                                (centre.y() > box.top() && centre.y() < box.bottom());
+            return !onAxis && m_labels.hasRoom(box) && !m_labels.isCrossed(box);
+        };
+        const auto free = std::ranges::find_if(corners, isFree);
+        return free == corners.end() ? corners.front() : *free;
+    }
+
     void drawScale() {
         const double length = m_figure.division * m_figure.magnification / 1000 * m_frame.scale();
-        double left = m_frame.onPaper() ? m_plot.left() + scaleLeft * m_unit : m_plot.left() + screenInset;
-        if (m_figure.sector && m_figure.home.x() < 0) // paths end at the lower left
-            left = m_plot.right() - length - (scaleLeft * m_unit + scaleText * mm) -
-                   std::max(textWidth(m_figure.divisionLabel), textWidth(m_figure.ratio) - length);
-        const double y =
-            m_frame.onPaper() ? m_plot.bottom() - scaleBottom * m_unit : m_plot.bottom() - screenRow;
+        const QPointF place = m_frame.onPaper()
+                                  ? placeOfScale(length)
+                                  : QPointF(m_plot.left() + screenInset, m_plot.bottom() - screenRow);
+        const double left = place.x();
+        const double y = place.y();
         const double textLeft = left + length + scaleText * mm;
         if (!m_frame.whole()) {
             const double right = textLeft + textWidth(m_figure.divisionLabel) + 2;

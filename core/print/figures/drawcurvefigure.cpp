@@ -43,16 +43,13 @@ constexpr double pixel = 0.75;            ///< of a screen
 constexpr double densePitch = 4 * pixel;  ///< targets closer than this are drawn without corners
 constexpr double numberGap = 1.6 * mm;    ///< between axis numbers
 constexpr double readingsSampleWidth = 2.8 * mm;
+constexpr double letterHeight = figureTextSize + 2; ///< of a letter or number of a dimension
 
 /// Room around the plot, points.
 constexpr QMarginsF paperMargins{13.5 * mm, 1.2 * mm, gutterWidth, 16.5 * mm};
 constexpr QMarginsF screenMargins{35, 6, 9, 31};
 /// Screens narrower than this (points) show no dimensions next to the plot.
 constexpr double widthForDimensions = 480;
-
-double centreOf(double from, double to) {
-    return (from + to) / 2;
-}
 
 class CurveFigurePainter {
 public:
@@ -442,52 +439,74 @@ private:
         }
     }
 
+    /// A dimension with the place of its line.
+    struct PlacedDimension {
+        const Dimension &dimension;
+        double at = 0;
+        double towards = 1; ///< −1: left of its target
+
+        [[nodiscard]] bool inGutter() const { return dimension.place == DimensionPlace::gutter; }
+    };
+
+    /// Lines and limits first, because letters and numbers avoid them.
     void drawDimensions() {
         int slot = 0;
+        std::vector<PlacedDimension> placed;
         for (const Dimension &dimension : m_figure.dimensions) {
             if (!shows(dimension.lowerPosition, dimension.lower) ||
                 !shows(dimension.upperPosition, dimension.upper)) {
                 continue; // outside the zoomed range
             }
-            double at = m_plot.right() + gutterStart + slot * gutterStep;
-            double towards = 1;
-            if (dimension.place == DimensionPlace::gutter) {
+            PlacedDimension each{dimension, m_plot.right() + gutterStart + slot * gutterStep};
+            if (each.inGutter()) {
                 ++slot;
             } else {
-                towards = dimension.place == DimensionPlace::rightOfTarget ? 1 : -1;
-                at = x(dimension.upperPosition) + towards * (besideTarget + placed(dimension) * besideStep);
+                each.towards = dimension.place == DimensionPlace::rightOfTarget ? 1 : -1;
+                each.at = x(dimension.upperPosition) +
+                          each.towards * (besideTarget + earlier(dimension) * besideStep);
             }
+            placed.push_back(each);
             p.setPen(pen(FigureRole::leader));
-            const double end = at + towards * leaderOvershoot;
-            p.drawLine(QPointF(x(dimension.upperPosition) + towards * leaderGap, y(dimension.upper)),
+            const double end = each.at + each.towards * leaderOvershoot;
+            p.drawLine(QPointF(x(dimension.upperPosition) + each.towards * leaderGap, y(dimension.upper)),
                        QPointF(end, y(dimension.upper)));
-            p.drawLine(QPointF(x(dimension.lowerPosition) + towards * leaderGap, y(dimension.lower)),
+            p.drawLine(QPointF(x(dimension.lowerPosition) + each.towards * leaderGap, y(dimension.lower)),
                        QPointF(end, y(dimension.lower)));
-            drawLimit(at, dimension);
-            drawDimension(at, y(dimension.upper), y(dimension.lower),
-                          {{dimension.label}, {dimension.subscript, true}},
-                          dimension.place != DimensionPlace::gutter);
         }
+        for (const PlacedDimension &each : placed) {
+            const double top = y(each.dimension.upper);
+            m_lines.push_back(
+                QRectF(each.at - curveArrowWidth / 2, top, curveArrowWidth, y(each.dimension.lower) - top));
+            drawLimit(each.at, each.dimension);
+        }
+        for (const PlacedDimension &each : placed)
+            drawDimension(each);
+        for (const PlacedDimension &each : placed)
+            drawLimitNumber(each);
     }
 
     /// Number of earlier dimensions on the same side of the same target.
-    [[nodiscard]] double placed(const Dimension &dimension) const {
+    [[nodiscard]] double earlier(const Dimension &dimension) const {
         return static_cast<double>(
-            std::count_if(m_figure.dimensions.data(), &dimension, [&](const Dimension &earlier) {
-                return earlier.place == dimension.place && earlier.upperPosition == dimension.upperPosition;
+            std::count_if(m_figure.dimensions.data(), &dimension, [&](const Dimension &other) {
+                return other.place == dimension.place && other.upperPosition == dimension.upperPosition;
             }));
+    }
+
+    [[nodiscard]] bool showsLimit(const Dimension &dimension) const {
+        return dimension.limit && shows(dimension.upperPosition, dimension.lower + *dimension.limit);
     }
 
     /// Draws the limit as a tick at its distance from the lower value, in its guard band.
     void drawLimit(double at, const Dimension &dimension) {
-        if (!dimension.limit || !shows(dimension.upperPosition, dimension.lower + *dimension.limit))
+        if (!showsLimit(dimension))
             return;
         const double limit = dimension.lower + *dimension.limit;
-        if (dimension.guard) {
-            const double top = std::max(y(limit + *dimension.guard), m_plot.top());
-            const double bottom = std::min(y(limit - *dimension.guard), m_plot.bottom());
+        const double guard = dimension.guard.value_or(0);
+        const double top = std::max(y(limit + guard), m_plot.top());
+        const double bottom = std::min(y(limit - guard), m_plot.bottom());
+        if (dimension.guard)
             drawGuard(QRectF(at - curveGuardWidth / 2, top, curveGuardWidth, bottom - top));
-        }
         QPen tick = pen(FigureRole::dimension);
         tick.setCapStyle(Qt::FlatCap);
         p.setPen(tick);
@@ -496,6 +515,42 @@ private:
         tick.setWidthF(limitStroke);
         p.setPen(tick);
         p.drawLine(QPointF(at - curveLimitTick / 2, y(limit)), QPointF(at + curveLimitTick / 2, y(limit)));
+        constexpr double clear = 1; // points
+        m_taken.push_back(QRectF(at - curveLimitTick / 2, std::min(top, y(limit)) - clear, curveLimitTick,
+                                 std::max(bottom - top, 0.0) + 2 * clear));
+    }
+
+    /// Writes the limit beside its tick, or above or below it.
+    void drawLimitNumber(const PlacedDimension &placed) {
+        const Dimension &dimension = placed.dimension;
+        if (!showsLimit(dimension))
+            return;
+        constexpr double gap = 0.5 * mm;
+        const double limit = dimension.lower + *dimension.limit;
+        const double guard = dimension.guard.value_or(0);
+        const double width = textWidth(dimension.limitText);
+        const double beside = curveLimitTick / 2 + gap + width / 2;
+        const double above = std::max(y(limit + guard), m_plot.top()) - gap - letterHeight / 2;
+        const double below = std::min(y(limit - guard), m_plot.bottom()) + gap + letterHeight / 2;
+        const auto boxAt = [&](QPointF middle) {
+            return QRectF(middle - QPointF(width / 2 + 1, letterHeight / 2), QSizeF(width + 2, letterHeight));
+        };
+        const std::array places{QPointF(placed.at + placed.towards * beside, y(limit)),
+                                QPointF(placed.at - placed.towards * beside, y(limit)),
+                                QPointF(placed.at, above), QPointF(placed.at, below)};
+        const auto faults = [&](QPointF middle) { // the worst first
+            const QRectF box = boxAt(middle);
+            return 4 * int(!m_area.contains(box) || hits(m_taken, box)) + 2 * int(hits(m_lines, box)) +
+                   int(hitsCurve(box));
+        };
+        const QRectF box = boxAt(*std::ranges::min_element(places, {}, faults));
+        m_taken.push_back(box);
+        p.fillRect(box, colour(FigureRole::background));
+        drawText(p, {box.left() + 1, box.center().y()}, dimension.limitText, colour(FigureRole::text));
+    }
+
+    [[nodiscard]] static bool hits(const std::vector<QRectF> &others, const QRectF &box) {
+        return std::ranges::any_of(others, [&](const QRectF &other) { return other.intersects(box); });
     }
 
     /// True if a curve crosses the box.
@@ -513,29 +568,33 @@ private:
         return false;
     }
 
-    /// Middle of a letter next to a target: on the line of its dimension, or above or below it, free of
-    /// curves.
-    [[nodiscard]] double placeOfLetter(double at, double width, double top, double bottom,
-                                       double height) const {
-        const auto box = [&](double middle) {
-            return QRectF(at - width / 2 - 1, middle - height / 2, width + 2, height);
-        };
+    /// Middle of a letter: on the line of its dimension, or above or below it, free of limits and curves.
+    [[nodiscard]] double placeOfLetter(const PlacedDimension &placed, double width, double top,
+                                       double bottom) const {
+        const double at = placed.at;
+        const double outside = (areArrowsInside(top, bottom) ? 0 : 2.5 * curveArrowLength);
         std::vector<double> places;
-        if (bottom - top >= height + 3 * curveArrowLength) {
-            const double first = top + curveArrowLength + height / 2;
-            const double last = bottom - curveArrowLength - height / 2;
+        if (bottom - top >= letterHeight + 3 * curveArrowLength) {
+            const double first = top + curveArrowLength + letterHeight / 2;
+            const double last = bottom - curveArrowLength - letterHeight / 2;
             for (const double part : {0.5, 0.25, 0.75, 0.0, 1.0})
                 places.push_back(first + part * (last - first));
         }
         for (const double away : {0.5, 1.2, 2.0, 3.0}) {
-            places.push_back(top - 2.5 * curveArrowLength - away * height);
-            places.push_back(bottom + 2.5 * curveArrowLength + away * height);
+            places.push_back(top - outside - away * letterHeight);
+            places.push_back(bottom + outside + away * letterHeight);
         }
+        const QRectF &within = placed.inGutter() ? m_area : m_plot;
         const auto isFree = [&](double middle) {
-            return m_plot.contains(box(middle)) && !hitsCurve(box(middle));
+            const QRectF box = boxOfLetter(at, width, middle);
+            return within.contains(box) && !hits(m_taken, box) && (placed.inGutter() || !hitsCurve(box));
         };
         const auto found = std::ranges::find_if(places, isFree);
         return found == places.end() ? places.front() : *found;
+    }
+
+    [[nodiscard]] static QRectF boxOfLetter(double at, double width, double middle) {
+        return {at - width / 2 - 0.7, middle - letterHeight / 2, width + 1.4, letterHeight};
     }
 
     void drawGuard(const QRectF &band) {
@@ -552,12 +611,17 @@ private:
         p.drawPolygon(head);
     }
 
-    /// Arrows inside, with the letter in a gap of the line; if that is too tight, the letter is above, and if
-    /// the arrows would meet, they point inwards from outside.
-    void drawDimension(double at, double top, double bottom, const TextLine &label, bool amongCurves) {
-        constexpr double letterHeight = figureTextSize + 2;
-        const bool arrowsInside = bottom - top >= 2.4 * curveArrowLength;
-        const bool letterInside = bottom - top >= letterHeight + 3 * curveArrowLength;
+    [[nodiscard]] static bool areArrowsInside(double top, double bottom) {
+        return bottom - top >= 2.4 * curveArrowLength;
+    }
+
+    /// Arrows inside, with the letter in a gap of the line; if the arrows would meet, they point inwards from
+    /// outside.
+    void drawDimension(const PlacedDimension &placed) {
+        const double at = placed.at;
+        const double top = y(placed.dimension.upper);
+        const double bottom = y(placed.dimension.lower);
+        const bool arrowsInside = areArrowsInside(top, bottom);
         QPen line = pen(FigureRole::dimension);
         line.setCapStyle(Qt::FlatCap);
         p.setPen(line);
@@ -570,17 +634,12 @@ private:
         }
         drawArrow({at, top}, arrowsInside ? 1 : -1);
         drawArrow({at, bottom}, arrowsInside ? -1 : 1);
+        const TextLine label{{placed.dimension.label}, {placed.dimension.subscript, true}};
         const double width = textWidth(label, true);
-        double middle = centreOf(top, bottom);
-        if (!letterInside) {
-            middle = top - outside - letterHeight / 2;
-            if (middle - letterHeight / 2 < m_area.top())
-                middle = bottom + outside + letterHeight / 2;
-        }
-        if (amongCurves)
-            middle = placeOfLetter(at, width, top, bottom, letterHeight);
-        p.fillRect(QRectF(at - width / 2 - 0.7, middle - letterHeight / 2, width + 1.4, letterHeight),
-                   colour(FigureRole::background));
+        const double middle = placeOfLetter(placed, width, top, bottom);
+        const QRectF box = boxOfLetter(at, width, middle);
+        m_taken.push_back(box);
+        p.fillRect(box, colour(FigureRole::background));
         drawText(p, {at - width / 2, middle}, label, colour(FigureRole::text), true);
     }
 
@@ -655,6 +714,8 @@ private:
     QRectF m_area;
     const FrameMeasures &m_measures;
     bool m_dimensions = true;
+    std::vector<QRectF> m_taken; ///< by limits, letters and numbers of dimensions
+    std::vector<QRectF> m_lines; ///< of dimensions
     PlotFrame m_frame;
     const QRectF &m_plot;
 };

@@ -164,6 +164,12 @@ void PlotFrame::drawLegendRow(std::span<const PlotEntry> entries, double room, s
     for (const PlotEntry &entry : entries)
         width += widthOf(entry, m_measures);
     const auto gaps = static_cast<double>(std::max<std::size_t>(entries.size(), 2) - 1);
+    if (start) { // a long legend begins further left
+        const double place = std::clamp(m_area.right() - width - gaps * m_measures.leastEntryGap,
+                                        m_area.left(), std::max(m_area.left(), *start));
+        room += *start - place;
+        start = place;
+    }
     const double gap = std::clamp((room - width) / gaps, m_measures.leastEntryGap, m_measures.entryGap);
     double left = start ? *start : std::max(m_area.left(), m_plot.center().x() - (width + gap * gaps) / 2);
     const double row = m_plot.bottom() + m_measures.legend;

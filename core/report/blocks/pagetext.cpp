@@ -133,8 +133,11 @@ private:
         axis(figure.y);
         axis(figure.x);
         QStringList dimensions;
-        for (const Dimension &dimension : figure.dimensions)
+        for (const Dimension &dimension : figure.dimensions) {
             dimensions << dimension.label + dimension.subscript;
+            if (dimension.limit)
+                dimensions << dimension.limitText;
+        }
         cells(dimensions);
         QStringList legend;
         for (const LegendEntry &entry : figure.legend)
