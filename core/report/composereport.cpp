@@ -347,7 +347,8 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
     if (!several) {
         addDriftTests(report.blocks, write, evaluated);
     }
-    addThermalPages(report.blocks, evaluated, write);
+    if (parts.empty())
+        addThermalPages(report.blocks, evaluated, write);
     addStatements(report.blocks, write, document, report.making, report.fingerprint,
                   foreignCharacters(report), several ? 1 : 2);
     if (report.making.annex) {
@@ -361,6 +362,7 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
         report.certificatePages = static_cast<int>(2 * parts.size()) + several + hasSheet;
         addProgram(blocks, write, document, report.making, report.fingerprint, foreignCharacters(report),
                    several ? 1 : 2);
+        addThermalPages(blocks, evaluated, write);
     } else if (several) {
         addStatedComparisons(blocks, parts);
     }

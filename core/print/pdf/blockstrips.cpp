@@ -156,18 +156,25 @@ Strips keyValueStrips(const KeyValues &values, double width) {
     return tagged("/L", std::move(result));
 }
 
+/// Down to this size small texts shrink to fit on one line, points.
+constexpr double smallestOfOneLine = 7.2;
+
 Strips headingStrips(const Heading &heading, double width) {
     const TextStyle &style = heading.level == 1 ? h1 : heading.level == 2 ? h2 : h3;
     constexpr double noteGap = 2 * mm;
     const TextBlock title(heading.text, style, width);
-    const TextBlock wholeNote(richText(heading.note), noteStyle);
-    Strip result;
     const double noteLeft = title.width() + noteGap;
-    const bool beside =
+    TextStyle beside = noteStyle;
+    while (beside.size > smallestOfOneLine &&
+           noteLeft + TextBlock(richText(heading.note), beside).width() > width)
+        beside.size -= 0.1;
+    const TextBlock wholeNote(richText(heading.note), beside);
+    Strip result;
+    const bool fits =
         title.lineCount() == 1 && wholeNote.lineCount() == 1 && noteLeft + wholeNote.width() <= width;
     if (heading.note.plain().isEmpty()) {
         result = textStrip(title);
-    } else if (beside) {
+    } else if (fits) {
         const double drop = title.ascent() - wholeNote.ascent();
         result = strip(title.height(), [=](QPainter &painter, QPointF at) {
             title.draw(painter, at);
@@ -343,9 +350,8 @@ Strips testHeadStrips(const TestHead &head, double width, double tallest) {
     line(head.title, h1, titleGap);
     line(head.subtitle, subtitleStyle, subtitleGap);
     TextStyle small = noteStyle;
-    constexpr double smallest = 7.2;
-    while (small.size > smallest && TextBlock(head.editionTitle, small).width() > width)
-        small.size -= 0.1; // one line if that is still readable
+    while (small.size > smallestOfOneLine && TextBlock(head.editionTitle, small).width() > width)
+        small.size -= 0.1;
     line(head.editionTitle, small, subtitleGap / 2);
     line(head.notice, {9, true, black, 1.28}, 2 * subtitleGap);
     result.push_back(strip(
@@ -846,7 +852,6 @@ Strips joined(const MeasuredBlocks &blocks) {
             begins.gap = above ? gapBetween(*above, block) : 0;
             begins.block = static_cast<int>(i);
             begins.section = beginsSection(block);
-            begins.smallPrint = std::holds_alternative<Paragraph>(block) && staysBelow(block);
             if (const auto *table = std::get_if<Table>(&block))
                 result.back().whole = table->unbroken;
             titled = titled || isTitle(block);

@@ -163,17 +163,8 @@ private:
         if (strips[from].section)
             height = std::max(height, strips[from].gap + sectionRoom);
         if (!m_page.strips.empty() && height > room() && !narrowGaps(strips, from, end, height - room()) &&
-            !lowerFigure(strips, from, end, height - room())) {
-            const std::size_t last = lastBlock(strips, from, end);
-            const double missing = needed(strips, from, last) - room();
-            if (last > from && (missing <= 0 || narrowGaps(strips, from, last, missing))) {
-                std::for_each(strips.begin() + static_cast<std::ptrdiff_t>(from),
-                              strips.begin() + static_cast<std::ptrdiff_t>(last),
-                              [this](const Strip &strip) { place(strip); });
-                from = last;
-            }
+            !lowerFigure(strips, from, end, height - room()))
             turnPage();
-        }
         if (m_narrowing < 1 || m_lowering > 0 || needed(strips, from, end) <= room()) {
             for (std::size_t i = from; i < end; ++i)
                 place(strips[i]);
@@ -234,17 +225,6 @@ private:
             return true;
         }
         return false;
-    }
-
-    /// Beginning of the small print at the end of a chain of results, which may stand on the next page;
-    /// `from` if there is none.
-    static std::size_t lastBlock(const Strips &strips, std::size_t from, std::size_t end) {
-        std::size_t last = end - 1;
-        while (last > from && strips[last].block < 0)
-            --last;
-        const auto at = [&](std::size_t i) { return strips.begin() + static_cast<std::ptrdiff_t>(i); };
-        return strips[last].smallPrint && std::any_of(at(from), at(last), std::mem_fn(&Strip::whole)) ? last
-                                                                                                      : from;
     }
 
     [[nodiscard]] double narrowed(double gap) const {

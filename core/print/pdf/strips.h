@@ -28,8 +28,7 @@ struct Strip {
     bool title = false;   ///< title of a test: precedes its first section
     bool filler = false;  ///< begins a section that may be moved forward in its test to fill a page
     bool whole = false;   ///< end of a table that is not split: gaps on the page of a head may shrink for it
-    bool smallPrint = false; ///< begins a paragraph in small print
-    double least = 0;        ///< least height of a figure
+    double least = 0;     ///< least height of a figure
     std::function<std::function<void(QPainter &, QPointF)>(double height)>
         drawOf;                         ///< figure: returns `draw` for a height
     bool withNext = false;              ///< never the last strip of a page

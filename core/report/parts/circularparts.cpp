@@ -17,7 +17,7 @@ namespace palmer {
 namespace {
 
 constexpr QSizeF separateSize{112, 97}; ///< mm; two separate figures fit on a page
-constexpr double parameterLabels = 24;  ///< mm
+constexpr double parameterLabels = 26;  ///< mm
 constexpr int deviationDecimals = 1;    ///< of centres and C next to the figure, µm
 constexpr int circleDecimals = 2;       ///< of centres and radii in their table, µm
 constexpr int pointAngleDecimals = 1;
@@ -191,20 +191,34 @@ KeyValues parameterRows(const CircularPart &part) {
 
 namespace {
 
-std::vector<CircleFigureOptions> figuresOf(const CircularPart &part) {
-    if (part.head().figures == CircleFigures::separate) {
-        auto separate = separateCircleFigures(part.test, part.evaluation);
-        if (!separate.empty())
-            return separate;
-    }
-    return {{}};
-}
-
 CircleFigure figureOf(const CircularPart &part, CircleFigureOptions options) {
     const auto &include = part.head().include;
     options.fillFrame = true;
     options.repetitions = std::ranges::find(include, ReportExtra::repetitions) != include.end();
     return circleFigure(part.test, part.evaluation, part.write.language(), options);
+}
+
+/// Those of the two senses have one magnification, because they are compared with each other.
+std::vector<CircleFigureOptions> figuresOf(const CircularPart &part) {
+    std::vector<CircleFigureOptions> figures;
+    if (part.head().figures == CircleFigures::separate)
+        figures = separateCircleFigures(part.test, part.evaluation);
+    if (figures.empty())
+        return {{}};
+    std::map<CircleSubject, double> least;
+    for (CircleFigureOptions &options : figures) {
+        if (&options != &figures.front())
+            options.size = separateSize;
+        if (options.of == CircleOf::both)
+            continue;
+        double &most = least.try_emplace(options.subject, options.mostMagnification).first->second;
+        most = std::min(most, figureOf(part, options).magnification);
+    }
+    for (CircleFigureOptions &options : figures) {
+        if (options.of != CircleOf::both)
+            options.mostMagnification = least.at(options.subject);
+    }
+    return figures;
 }
 
 /// Heading and figure as the left one of two columns.
@@ -346,9 +360,7 @@ void addActualPaths(std::vector<Block> &blocks, const CircularPart &part) {
 void addSeparateFigures(std::vector<Block> &blocks, const CircularPart &part) {
     const auto figures = figuresOf(part);
     for (std::size_t i = 1; i < figures.size(); ++i) {
-        CircleFigureOptions options = figures[i];
-        options.size = separateSize;
-        SideBySide both = besideFigure(figureOf(part, options));
+        SideBySide both = besideFigure(figureOf(part, figures[i]));
         std::get<Heading>(both.left.front()).annexFirst = true;
         both.right.emplace_back(Heading{2, part.write.text(REPORT_TEXT("report", "Results"))});
         if (Table table = resultsOf(part, figures[i]); !table.rows.empty())

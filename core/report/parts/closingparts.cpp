@@ -145,7 +145,7 @@ namespace {
 
 /// Adds statements: short ones in two columns, long ones below.
 void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows) {
-    constexpr std::size_t fewest = 4; // minimum for two columns
+    constexpr std::size_t fewest = 2; // minimum for two columns
     SideBySide both;
     KeyValues left;
     KeyValues right;
@@ -192,18 +192,12 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
     const bool named =
         signedBy && std::ranges::find(head.signatures, Signer::laboratory) != head.signatures.end();
     LabelledRows rows(write);
-    rows.add(REPORT_TEXT("report", "Order"), head.order, false);
-    rows.add(REPORT_TEXT("report", "Procedure"), head.procedure, false);
     rows.add(REPORT_TEXT("report", "Deviations from the method"), head.deviationsFromMethod, false);
     rows.add(REPORT_TEXT("report", "Tests carried out"),
              periodText(write, head.performedFrom, head.performedTo), false);
     rows.add(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine), false);
     rows.add(REPORT_TEXT("report", "Condition of the machine"), document.machine.condition);
     rows.add(REPORT_TEXT("report", "Adjustments made"), head.adjustments);
-    QString revision = QString::fromStdString(head.revision);
-    if (!head.replaces.empty())
-        revision = joined({revision, write.say(REPORT_TEXT("report", "replaces %1"), {head.replaces})});
-    rows.add(REPORT_TEXT("report", "Revision"), revision);
     rows.add(REPORT_TEXT("report", "Reason of the revision"), head.revisionReason, false);
     if (!named ||
         authorisedText(head) != knownName(Signer::laboratory, head)) // otherwise above the signature

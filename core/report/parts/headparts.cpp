@@ -47,13 +47,24 @@ TestHead letterHead(const Writer &write, const ReportHead &head) {
 }
 
 KeyValues partiesAndDates(const Writer &write, const ReportHead &head, const QString &date,
-                          const Text &label = REPORT_TEXT("report", "Date of test")) {
+                          const Text &label = REPORT_TEXT("report", "Date of test"), bool order = true) {
     LabelledRows rows(write, {{}, leftLabels});
     rows.add(label, date);
     rows.add(REPORT_TEXT("report", "Place"), head.place);
     rows.add(REPORT_TEXT("report", "Operator"), head.operatorName);
     rows.add(REPORT_TEXT("report", "Supplier"), partyText(head.supplier));
     rows.add(REPORT_TEXT("report", "Customer"), partyText(head.customer));
+    if (!order)
+        return rows.take();
+    const QString procedure = QString::fromStdString(head.procedure);
+    if (head.order.empty() || procedure.isEmpty()) {
+        rows.add(REPORT_TEXT("report", "Order"), head.order, false);
+        rows.add(REPORT_TEXT("report", "Procedure"), procedure, false);
+    } else {
+        rows.add(REPORT_TEXT("report", "Order"),
+                 joined({QString::fromStdString(head.order),
+                         write.say(REPORT_TEXT("report", "procedure %1"), procedure)}));
+    }
     return rows.take();
 }
 
@@ -103,6 +114,21 @@ void addInstruments(LabelledRows &rows, const TestPart &part) {
     for (const Instrument *instrument : instrumentsOf(part))
         names << instrumentText(part.write, *instrument);
     rows.add(REPORT_TEXT("report", "Instrument"), joined(names, QStringLiteral("\n")));
+}
+
+/// Moves rows from the end of the right column to the left one where that makes the head lower.
+void balanceColumns(TestHead &head) {
+    const auto linesOf = [](const KeyValue &row) { return 1 + row.value.count(u'\n'); };
+    const auto lines = [&](const KeyValues &values) {
+        qsizetype sum = 0;
+        for (const KeyValue &row : values.rows)
+            sum += linesOf(row);
+        return sum;
+    };
+    while (lines(head.left) + linesOf(head.right.rows.back()) < lines(head.right)) {
+        head.left.rows.push_back(std::move(head.right.rows.back()));
+        head.right.rows.pop_back();
+    }
 }
 
 QString axisText(const PositioningPart &part) {
@@ -181,7 +207,8 @@ TestHead commonHead(const TestPart &part) {
         joined({titleAndEdition(part), QString::fromStdString(part.test.title)}, QStringLiteral(" · "));
     if (!part.edition().title.empty())
         head.editionTitle = part.write.text(part.edition().title);
-    head.left = partiesAndDates(part.write, part.head(), dateOfTest(part));
+    head.left = partiesAndDates(part.write, part.head(), dateOfTest(part),
+                                REPORT_TEXT("report", "Date of test"), part.count == 1); // or in the summary
     return head;
 }
 
@@ -214,6 +241,7 @@ TestHead positioningHead(const PositioningPart &part) {
                     part.write.semicolon()));
     addInstruments(rows, part);
     head.right = rows.take();
+    balanceColumns(head);
     return head;
 }
 
@@ -279,7 +307,6 @@ TestHead sheetHead(const Writer &write, const EvaluatedDocument &evaluated,
     rows.add(REPORT_TEXT("report", "Serial number"), document.machine.serialNumber);
     rows.add(REPORT_TEXT("report", "Control"), document.machine.controller);
     rows.add(REPORT_TEXT("report", "Condition"), document.machine.condition);
-    rows.add(REPORT_TEXT("report", "Order"), document.report.order);
     head.right = rows.take();
     return head;
 }
@@ -356,6 +383,7 @@ TestHead circularHead(const CircularPart &part) {
     if (part.needsLength())
         rows.add(REPORT_TEXT("report", "Reference length"), referenceLengthText(part));
     head.right = rows.take();
+    balanceColumns(head);
     return head;
 }
 

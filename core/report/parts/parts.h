@@ -121,6 +121,9 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part);
 /// Adds those of practice, laboratory and program.
 void addFurtherFindings(std::vector<Block> &blocks, const TestPart &part);
 
+/// "U: expanded uncertainty, k = 2, …": the coverage of U and where it comes from; empty without U.
+[[nodiscard]] QString uncertaintySentence(const TestPart &part);
+
 /// The decision rule of a test in words, with its guard factor.
 [[nodiscard]] QString decisionText(const TestPart &part);
 

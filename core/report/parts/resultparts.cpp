@@ -38,6 +38,11 @@ bool factorIsOne(const Test &test) {
     return test.decisionRule.guardFactor == earlierGuardFactor;
 }
 
+/// False also if U is simulated: then the band is wider.
+bool bandIsU(const TestPart &part) {
+    return factorIsOne(part.test) && !guardsSimulated(part.evaluation);
+}
+
 Number factor(const Test &test) {
     return {test.decisionRule.guardFactor, Quantity::number, -1};
 }
@@ -147,8 +152,8 @@ Column columnOnPaper(const ResultColumn &column, const TestPart &part, const QSt
         break;
     case ResultLook::picture:
         if (hasGuardBand(part.test))
-            result.title = write.text(factorIsOne(part.test) ? REPORT_TEXT("report", "Limit ± U")
-                                                             : REPORT_TEXT("report", "Limit ± g"));
+            result.title = write.text(bandIsU(part) ? REPORT_TEXT("report", "Limit ± U")
+                                                    : REPORT_TEXT("report", "Limit ± g"));
         result.fitting = false;
         result.paddingLeft = beforePicture;
         result.spare = besidePicture;
@@ -266,30 +271,9 @@ QString resultsNote(const TestPart &part) {
     return notes.join(part.write.semicolon());
 }
 
-/// "U: expanded uncertainty, k = 2, …": the coverage of U and where it comes from; empty without U.
-QString uncertaintySentence(const TestPart &part) {
-    const Writer &write = part.write;
-    const CoverageOfResults coverage = coverageOf(part.evaluation, part.head());
-    if (!coverage.factor && coverage.simulated.empty())
-        return {};
-    QStringList words{write.text(REPORT_TEXT("report", "U: expanded uncertainty"))};
-    words << (coverage.simulated.empty()
-                  ? write.text(
-                        REPORT_TEXT("report", "coverage factor k = 2, coverage probability of about 95 %"))
-                  : coverageNote(coverage, write.language()));
-    if (!part.leavesOut(ReportPart::uncertainty)) {
-        if (part.evaluation.uncertainty.method == UncertaintyMethod::direct)
-            words << write.text(REPORT_TEXT("report", "stated by the laboratory"));
-        else if (usesBudget(part.evaluation) && part.annex)
-            words << write.text(REPORT_TEXT("report", "from the budget in the annex"));
-    }
-    return words.join(QStringLiteral(", ")) + u'.';
-}
-
-/// The decision rule in one sentence; empty without a verdict, and in a report of several tests, which says
-/// it for all of them.
+/// The decision rule in one sentence; empty without a verdict.
 QString ruleSentence(const TestPart &part) {
-    if (!part.evaluation.verdict || part.count > 1)
+    if (!part.evaluation.verdict)
         return {};
     const QString band = bandName(part, guardsSimulated(part.evaluation));
     return part.write.say(
@@ -343,7 +327,7 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultFor
     const bool bands =
         std::ranges::any_of(parameters, [](const Parameter &p) { return p.guardBand.has_value(); });
     if (bands) {
-        const QString band = factorIsOne(part.test) && !guardsSimulated(part.evaluation)
+        const QString band = bandIsU(part)
                                  ? QStringLiteral("U")
                                  : QStringLiteral("g = ") + bandName(part, guardsSimulated(part.evaluation));
         legend.items.push_back(
@@ -551,6 +535,8 @@ void addResultsAs(std::vector<Block> &blocks, const TestPart &part, const Result
         addHeading(blocks, form.heading, resultsNote(part));
         blocks.emplace_back(resultTable(part, form, results));
         addLegend(blocks, part, form);
+        if (part.count > 1)
+            return; // the sentences stand once for all tests
         const QString sentences =
             joined({uncertaintySentence(part), ruleSentence(part)}, QStringLiteral(" "));
         if (!sentences.isEmpty())
@@ -689,6 +675,25 @@ void addFurtherFindings(std::vector<Block> &blocks, const TestPart &part) {
     addHeading(blocks, part.write.text(REPORT_TEXT("report", "Findings of practice, laboratory and program")),
                {}, part.edition().textRead == TextRead::none ? part.findingsAnchor() : QString());
     blocks.emplace_back(std::move(block));
+}
+
+QString uncertaintySentence(const TestPart &part) {
+    const Writer &write = part.write;
+    const CoverageOfResults coverage = coverageOf(part.evaluation, part.head());
+    if (!coverage.factor && coverage.simulated.empty())
+        return {};
+    QStringList words{write.text(REPORT_TEXT("report", "U: expanded uncertainty"))};
+    words << (coverage.simulated.empty()
+                  ? write.text(
+                        REPORT_TEXT("report", "coverage factor k = 2, coverage probability of about 95 %"))
+                  : coverageNote(coverage, write.language()));
+    if (!part.leavesOut(ReportPart::uncertainty)) {
+        if (part.evaluation.uncertainty.method == UncertaintyMethod::direct)
+            words << write.text(REPORT_TEXT("report", "stated by the laboratory"));
+        else if (usesBudget(part.evaluation) && part.annex)
+            words << write.text(REPORT_TEXT("report", "from the budget in the annex"));
+    }
+    return words.join(QStringLiteral(", ")) + u'.';
 }
 
 QString decisionText(const TestPart &part) {

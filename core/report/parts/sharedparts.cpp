@@ -647,8 +647,11 @@ void addAgreedPointsOfTests(std::vector<Block> &blocks, const std::vector<TestPa
 void addLimitsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     const Writer &write = parts.front().write;
     TextsOfTests rules;
+    TextsOfTests uncertainties;
     LimitsOfTests limits(write);
     for (const TestPart &part : parts) {
+        if (const QString words = uncertaintySentence(part); !words.isEmpty())
+            addText(uncertainties, words, part.number);
         const Table table = limitsTable(part);
         if (table.rows.empty())
             continue;
@@ -658,15 +661,16 @@ void addLimitsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &p
     // The anchor lets the layout move this and the following sections after the summary.
     addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")), {},
                QStringLiteral("limits"));
-    if (rules.empty()) {
+    if (rules.empty())
         blocks.emplace_back(Paragraph{
             write.text(REPORT_TEXT("report", "No limit was agreed: the results have no verdict."))});
-        return;
+    else
+        blocks.emplace_back(limits.take(static_cast<int>(parts.size())));
+    for (const TextsOfTests &texts : {uncertainties, rules}) {
+        for (const TextOfTests &each : texts)
+            blocks.emplace_back(Paragraph{
+                texts.size() == 1 ? each.text : ofTests(write, each.tests, each.text), TextSize::small});
     }
-    blocks.emplace_back(limits.take(static_cast<int>(parts.size())));
-    for (const TextOfTests &rule : rules)
-        blocks.emplace_back(Paragraph{rules.size() == 1 ? rule.text : ofTests(write, rule.tests, rule.text),
-                                      TextSize::small});
 }
 
 void addBeforeAndAfter(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
