@@ -1405,6 +1405,10 @@
         <translation>Commande</translation>
     </message>
     <message>
+        <source>arc second</source>
+        <translation>seconde d’arc</translation>
+    </message>
+    <message>
         <source>procedure %1</source>
         <translation>procédure %1</translation>
     </message>
@@ -2077,16 +2081,16 @@
         <translation>Origine</translation>
     </message>
     <message>
-        <source>Simple acceptance: a value conforms when it is not above its limit; the uncertainty has no part in it.</source>
-        <translation>Acceptation simple&#xa0;: une valeur est conforme lorsqu’elle ne dépasse pas sa limite&#x202f;; l’incertitude n’intervient pas.</translation>
+        <source>Simple acceptance: a limit is met by a value not above it; the uncertainty has no part in it.</source>
+        <translation>Acceptation simple&#xa0;: une limite est respectée lorsque la valeur ne la dépasse pas&#x202f;; l’incertitude n’intervient pas.</translation>
     </message>
     <message>
-        <source>ISO 14253-1, conformity has to be proven: a value conforms when it is at least g below its limit, does not conform when it is more than g above it, and is not proven between; g = %1·U.</source>
-        <translation>ISO 14253-1, conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g, non conforme lorsqu’elle la dépasse de plus de g, et non prouvée entre les deux&#x202f;; g = %1·U.</translation>
+        <source>ISO 14253-1, conformity has to be proven: a limit is met when the value is at least g below it, exceeded when the value is more than g above it, and not proven between; g = %1·U.</source>
+        <translation>ISO 14253-1, conformité à prouver&#xa0;: une limite est respectée lorsque la valeur lui est inférieure d’au moins g, dépassée lorsque la valeur la dépasse de plus de g&#x202f;; entre les deux, rien n’est prouvé&#x202f;; g = %1·U.</translation>
     </message>
     <message>
-        <source>Non-conformity has to be proven: a value conforms when it is at least g below its limit and does not conform when it is more than g above it; between, non-conformity is not proven: no ground for rejection; g = %1·U.</source>
-        <translation>Non-conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g et non conforme lorsqu’elle la dépasse de plus de g&#x202f;; entre les deux, la non-conformité n’est pas démontrée&#xa0;: la machine ne peut être refusée à ce titre&#x202f;; g = %1·U.</translation>
+        <source>Non-conformity has to be proven: a limit is met when the value is at least g below it and exceeded when the value is more than g above it; between, non-conformity is not proven: no ground for rejection; g = %1·U.</source>
+        <translation>Non-conformité à prouver&#xa0;: une limite est respectée lorsque la valeur lui est inférieure d’au moins g et dépassée lorsque la valeur la dépasse de plus de g&#x202f;; entre les deux, la non-conformité n’est pas démontrée&#xa0;: la machine ne peut être refusée à ce titre&#x202f;; g = %1·U.</translation>
     </message>
     <message>
         <source>The factor 1 is the guard band of the earlier editions of ISO 14253-1.</source>
@@ -4071,7 +4075,7 @@
     </message>
     <message>
         <source>Agreed working zone</source>
-        <translation>Zone de travail convenue</translation>
+        <translation>Zone de travail normal convenue</translation>
     </message>
     <message>
         <source>The 2 000 mm (360°) of a long axis that were agreed for the full test. A test whose targets lie inside is judged as that of a short axis.</source>
@@ -6317,8 +6321,8 @@
         <translation>Aucun capteur ne mesure l’air&#xa0;: pas de gradient horaire.</translation>
     </message>
     <message>
-        <source>%1: the guard band reaches the limit; nothing can conform.</source>
-        <translation>%1&#xa0;: la bande de garde atteint la limite&#x202f;; rien ne peut être conforme.</translation>
+        <source>%1: the guard band reaches the limit; no value can meet it.</source>
+        <translation>%1&#xa0;: la bande de garde atteint la limite&#x202f;; aucune valeur ne peut la respecter.</translation>
     </message>
     <message>
         <source>%1: U is more than half the limit.</source>
@@ -8315,8 +8319,8 @@
         <translation>Les résultats sont sans verdict.</translation>
     </message>
     <message>
-        <source>The limit of %1 is negative; nothing can conform.</source>
-        <translation>La limite de %1 est négative&#x202f;; rien ne peut être conforme.</translation>
+        <source>The limit of %1 is negative; no value can meet it.</source>
+        <translation>La limite de %1 est négative&#x202f;; aucune valeur ne peut la respecter.</translation>
     </message>
     <message>
         <source>Not seen: its 95 % interval contains zero.</source>
@@ -8884,7 +8888,7 @@
     </message>
     <message>
         <source>Kind: an arc of %2 and radius %3 (points: %1) is hardly a circular test; is it one?</source>
-        <translation>Type&#xa0;: un arc de %2 et de rayon %3 (points&#xa0;: %1) n’est guère un essai circulaire&#x202f;; en est-ce un&#x202f;?</translation>
+        <translation>Type&#xa0;: un arc de %2 et de rayon %3 (points&#xa0;: %1) n’est guère un essai de circularité&#x202f;; en est-ce un&#x202f;?</translation>
     </message>
     <message>
         <source>Layout: readings missing: %1 of %2; are these runs and targets those of one test?</source>

@@ -283,8 +283,10 @@ private:
     [[nodiscard]] QString units() const {
         QStringList result;
         for (const AxisTrends &axis : m_axes) {
-            for (const MachineTrend &trend : axis.trends)
-                result << m_language.unit(trendQuantity(trend));
+            for (const MachineTrend &trend : axis.trends) {
+                const QString unit = m_language.unit(trendQuantity(trend));
+                result << (unit == QStringLiteral("″") ? text(REPORT_TEXT("report", "arc second")) : unit);
+            }
         }
         result.removeDuplicates();
         return result.join(QStringLiteral(", "));

@@ -166,9 +166,9 @@ void findLargeUncertainty(TestEvaluation &evaluation, const DecisionRule &rule) 
             add(large, plainSymbol(p));
     }
     if (!guarded.empty())
-        note(
-            evaluation, "guardBand", Source::laboratory,
-            {REPORT_TEXT("report", "%1: the guard band reaches the limit; nothing can conform."), {guarded}});
+        note(evaluation, "guardBand", Source::laboratory,
+             {REPORT_TEXT("report", "%1: the guard band reaches the limit; no value can meet it."),
+              {guarded}});
     if (!large.empty())
         note(evaluation, "largeUncertainty", Source::laboratory,
              {REPORT_TEXT("report", "%1: U is more than half the limit."), {large}});
@@ -281,7 +281,7 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
     }
     if (!negative.empty())
         note(evaluation, "limits", Source::laboratory,
-             {REPORT_TEXT("report", "The limit of %1 is negative; nothing can conform."), {negative}});
+             {REPORT_TEXT("report", "The limit of %1 is negative; no value can meet it."), {negative}});
     findUncorrected(evaluation, at20, seen.uncorrected);
     if (seen.uncertaintyMissing)
         note(evaluation, "decisionRule", Source::laboratory,

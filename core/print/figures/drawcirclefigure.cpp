@@ -87,6 +87,8 @@ public:
         drawMarks(m_frame);
         drawDimension(m_frame, m_labels);
         drawSenses();
+        for (const QRectF &box : m_arrows) // which the numbers of rings keep clear of
+            m_labels.reserve(box);
         if (!m_frame.onPaper() && m_frame.whole())
             drawCorners();
         drawRingLabels();
@@ -179,6 +181,8 @@ private:
         p.setPen(line);
         p.setBrush(Qt::NoBrush);
         p.drawPolyline(chain);
+        for (qsizetype i = 0; i < chain.size(); i += 4)
+            m_arrows.push_back(CircleLabels::boxOf(chain[i], circleArrowLength * m_unit));
         const double heading = end + (forwards ? 90 : -90) + (forwards ? -0.5 : 0.5) * headAngle;
         m_frame.drawArrowHead(m_frame.polar(end, radius), heading, circleArrowLength * m_unit,
                               circleArrowWidth * 1.15 * m_unit, trace.color());
@@ -244,7 +248,24 @@ private:
 
     // ---- Scale and key -----------------------------------------------------------------------------------
 
-    /// Where the scale bar begins on paper: in the first corner where its texts meet neither axis nor path.
+    /// True if the nominal circle or the envelope crosses the box.
+    [[nodiscard]] bool meetsCircle(const QRectF &box) const {
+        const QPointF centre = m_frame.centre();
+        const double dx = std::max({box.left() - centre.x(), centre.x() - box.right(), 0.0});
+        const double dy = std::max({box.top() - centre.y(), centre.y() - box.bottom(), 0.0});
+        const double near = std::hypot(dx, dy);
+        const double far = std::hypot(std::max(box.right() - centre.x(), centre.x() - box.left()),
+                                      std::max(box.bottom() - centre.y(), centre.y() - box.top()));
+        std::vector<double> deviations{0};
+        if (m_figure.envelope)
+            deviations.insert(deviations.end(), {m_figure.envelope->inner, m_figure.envelope->outer});
+        return std::ranges::any_of(deviations, [&](double deviation) {
+            const double radius = m_figure.radius(deviation) * m_frame.scale();
+            return radius > near && radius < far;
+        });
+    }
+
+    /// Where the scale bar begins on paper: in the first corner where its texts meet neither axis nor line.
     [[nodiscard]] QPointF placeOfScale(double length) {
         const double across =
             std::max(length + scaleText * mm + textWidth(m_figure.divisionLabel), textWidth(m_figure.ratio));
@@ -260,7 +281,7 @@ private:
             const QPointF centre = m_frame.centre();
             const bool onAxis = (centre.x() > box.left() && centre.x() < box.right()) ||
                                 (centre.y() > box.top() && centre.y() < box.bottom());
-            return !onAxis && m_labels.hasRoom(box) && !m_labels.isCrossed(box);
+            return !onAxis && !meetsCircle(box) && m_labels.hasRoom(box) && !m_labels.isCrossed(box);
         };
         const auto free = std::ranges::find_if(corners, isFree);
         return free == corners.end() ? corners.front() : *free;
@@ -368,7 +389,8 @@ private:
     CircleLabels m_labels;
     const CircleFigure &m_figure;
     const QRectF &m_plot;
-    double m_unit; ///< points per mm of the whole figure
+    double m_unit;                ///< points per mm of the whole figure
+    std::vector<QRectF> m_arrows; ///< of the senses
 };
 
 } // namespace

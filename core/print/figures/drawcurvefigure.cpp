@@ -10,6 +10,7 @@
 #include <QMarginsF>
 #include <QPainterPath>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer {
@@ -535,9 +536,13 @@ private:
         const auto boxAt = [&](QPointF middle) {
             return QRectF(middle - QPointF(width / 2 + 1, letterHeight / 2), QSizeF(width + 2, letterHeight));
         };
-        const std::array places{QPointF(placed.at + placed.towards * beside, y(limit)),
-                                QPointF(placed.at - placed.towards * beside, y(limit)),
-                                QPointF(placed.at, above), QPointF(placed.at, below)};
+        std::vector<QPointF> places{QPointF(placed.at + placed.towards * beside, y(limit)),
+                                    QPointF(placed.at - placed.towards * beside, y(limit)),
+                                    QPointF(placed.at, above), QPointF(placed.at, below)};
+        for (const double away : {-1.0, 1.0, -2.0, 2.0, -3.0, 3.0}) {
+            for (const double side : {1.0, -1.0})
+                places.emplace_back(placed.at + side * beside, y(limit) + away * letterHeight);
+        }
         const auto faults = [&](QPointF middle) { // the worst first
             const QRectF box = boxAt(middle);
             return 4 * int(!m_area.contains(box) || hits(m_taken, box)) + 2 * int(hits(m_lines, box)) +

@@ -677,6 +677,17 @@ bool isTitle(const Block &block) {
     return heading && heading->level == 1;
 }
 
+/// True if a paragraph between a heading and block i belongs to that block: a table, a figure or a part of
+/// the section.
+bool introduces(const MeasuredBlocks &blocks, std::size_t i) {
+    const Block &block = blocks[i].block;
+    const auto *heading = std::get_if<Heading>(&block);
+    return i > 1 && std::holds_alternative<Paragraph>(blocks[i - 1].block) &&
+           std::holds_alternative<Heading>(blocks[i - 2].block) &&
+           (std::holds_alternative<Table>(block) || std::holds_alternative<FigureBlock>(block) ||
+            (heading && heading->level > 2));
+}
+
 /// Sets the properties of a heading (block i) that depend on the next block.
 void stateOfHeading(Strip &strip, const MeasuredBlocks &blocks, std::size_t i, bool titled) {
     const auto *heading = std::get_if<Heading>(&blocks[i].block);
@@ -843,7 +854,7 @@ Strips joined(const MeasuredBlocks &blocks) {
             continue;
         if (std::holds_alternative<Signatures>(block))
             takeAlong(result);
-        if (above && !isMark(block) && staysBelow(block) && !result.empty())
+        if (above && !isMark(block) && !result.empty() && (staysBelow(block) || introduces(blocks, i)))
             result.back().withNext = true;
         const std::size_t first = result.size();
         result.insert(result.end(), blocks[i].strips.begin(), blocks[i].strips.end());

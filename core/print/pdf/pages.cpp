@@ -265,7 +265,9 @@ private:
             for (std::size_t i = before.strips.size(); i-- > 1;) {
                 if (before.strips[i].whole && !before.running)
                     break;
-                if (before.strips[i - 1].withNext || (sections && !before.strips[i].section))
+                const Strip &first = before.strips[i];
+                const bool inBlock = first.block < 0; // rows of a table, whose head is repeated
+                if (before.strips[i - 1].withNext || (!first.section && (sections || !inBlock)))
                     continue;
                 const auto from = before.strips.begin() + static_cast<std::ptrdiff_t>(i);
                 const PageStrips kept{before.running, {before.strips.begin(), from}};

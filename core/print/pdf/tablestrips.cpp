@@ -657,12 +657,15 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
     constexpr TextStyle style{9, false, black, 1.28};
     constexpr double padding = 0.5 * mm;
     constexpr double textLeft = firstPadding + 3.2 * mm + cellPadding;
-    constexpr double clauseWidth = 12 * mm;
+    constexpr double widestClause = 40 * mm;
+    double clauseWidth = 12 * mm; // or as wide as two lines of each need
     double gradeWidth = 14 * mm;
     for (const FindingLine &line : findings.lines) {
         TextStyle bold = style;
         bold.bold = line.grade == Grade::requirement;
         gradeWidth = std::max(gradeWidth, textWidth(line.gradeName, bold) + cellPadding);
+        while (clauseWidth < widestClause && TextBlock(line.clause, style, clauseWidth).lineCount() > 2)
+            clauseWidth += mm;
     }
     const double sentenceLeft = textLeft + gradeWidth + 2 * cellPadding;
     const double clauseLeft = width - cellPadding - clauseWidth;

@@ -50,26 +50,21 @@ Text sharedText(SharedError error) {
 
 Table parameterTable(const TestComparison &comparison, const PlacedTest &before, const PlacedTest &after,
                      const Writer &write) {
-    constexpr double symbolColumn = 11; // mm, like all widths here
-    constexpr double numberColumn = 15;
-    constexpr double pictureColumn = 18;
-    constexpr double wordColumn = 31;
-    constexpr double least = 36;
     const QString unit = write.language().unit(comparison.quantity);
     const auto [first, second] = sideTexts(before, after);
     Table table;
     table.columns = {
-        columnOf(QString(), symbolColumn),
-        flexibleColumn(QString(), least),
-        write.column(first, numberColumn, Alignment::decimal, unit),
-        write.column(second, numberColumn, Alignment::decimal, unit),
-        write.column(REPORT_TEXT("report", "Difference"), numberColumn, Alignment::decimal, unit),
-        columnOf(QStringLiteral("U"), numberColumn, Alignment::decimal, unit),
-        columnOf(Phrase({{QStringLiteral("E")}, {QStringLiteral("n"), true}}), numberColumn - 5,
-                 Alignment::decimal),
-        write.column(REPORT_TEXT("report", "Diff. ± U"), pictureColumn),
-        write.column(REPORT_TEXT("report", "Statement"), wordColumn)};
-    table.columns[7].gapBefore = 3;
+        columnOf(QString(), 7.8),
+        flexibleColumn(QString(), 40),
+        write.column(first, 13.6, Alignment::decimal, unit),
+        write.column(second, 13.6, Alignment::decimal, unit),
+        write.column(REPORT_TEXT("report", "Difference"), 15, Alignment::decimal, unit),
+        columnOf(QStringLiteral("U"), 12, Alignment::decimal, unit),
+        columnOf(Phrase({{QStringLiteral("E")}, {QStringLiteral("n"), true}}), 10, Alignment::decimal),
+        write.column(REPORT_TEXT("report", "Diff. ± U"), 21),
+        write.column(REPORT_TEXT("report", "Statement"), 29)};
+    table.columns.front().fitting = true;
+    table.columns[7].paddingLeft = 3;
     const std::vector<ComparedWords> words = comparedWords(comparison, write.language());
     const char *family = nullptr;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -88,8 +83,9 @@ Table parameterTable(const TestComparison &comparison, const PlacedTest &before,
             picture.blank = false;
             picture.whisker = row.picture;
         }
-        table.rows.push_back({boldCell(row.symbol), row.name, row.before, row.after, boldCell(row.difference),
-                              row.uncertainty, row.enRatio, picture, word});
+        table.rows.push_back({boldCell(row.symbol), nameInTable(write, parameter.term.name), row.before,
+                              row.after, boldCell(row.difference), row.uncertainty, row.enRatio, picture,
+                              word});
     }
     if (std::ranges::all_of(words, [](const ComparedWords &row) { return row.enRatio.isEmpty(); })) {
         table.columns.erase(table.columns.begin() + 6);

@@ -686,17 +686,18 @@ Table correctionTable(const PositioningPart &part) {
     const int places = positionDecimals(part.measurement);
     const QString lengthUnit = write.language().unit(part.along());
     Table table;
-    table.columns = {columnOf(Phrase({{QStringLiteral("i"), false, true}}), 7, Alignment::right),
-                     columnOf(Phrase({{QStringLiteral("P")}, {QStringLiteral("i"), true}}), 19,
-                              Alignment::decimal, lengthUnit),
-                     columnOf(Phrase({{QStringLiteral("P")},
-                                      {QStringLiteral("i"), true},
-                                      {QStringLiteral(" − P")},
-                                      {QStringLiteral("0"), true}}),
-                              30, Alignment::decimal, lengthUnit),
-                     write.column(REPORT_TEXT("report", "Added to the readings"), 45, Alignment::decimal,
-                                  write.language().unit(part.deviation())),
-                     flexibleColumn(QString(), 74)};
+    const QString letter = letterOfTargets(part.edition());
+    table.columns = {
+        columnOf(Phrase({{letter, false, true}}), 7, Alignment::right),
+        columnOf(Phrase({{QStringLiteral("P")}, {letter, true}}), 19, Alignment::decimal, lengthUnit),
+        columnOf(Phrase({{QStringLiteral("P")},
+                         {letter, true},
+                         {QStringLiteral(" − P")},
+                         {QStringLiteral("0"), true}}),
+                 30, Alignment::decimal, lengthUnit),
+        write.column(REPORT_TEXT("report", "Added to the readings"), 45, Alignment::decimal,
+                     write.language().unit(part.deviation())),
+        flexibleColumn(QString(), 74)};
     for (std::size_t i = 0; i < std::min(targets.size(), part.results.corrections.size()); ++i) {
         if (i > 0 && i % 5 == 0)
             table.rulesAfter.push_back(i - 1);

@@ -41,13 +41,13 @@ double widthOfNumbers(const PositioningMeasurement &measurement) {
 }
 
 Column targetColumn(const PositioningPart &part) {
-    return columnOf(Phrase({{QStringLiteral("i"), false, true}}), widthOfNumbers(part.measurement),
-                    Alignment::right);
+    return columnOf(Phrase({{letterOfTargets(part.edition()), false, true}}),
+                    widthOfNumbers(part.measurement), Alignment::right);
 }
 
 Column positionColumn(const PositioningPart &part) {
-    return columnOf(indexed(QStringLiteral("P"), QStringLiteral("i")), positionWidth, Alignment::decimal,
-                    part.write.language().unit(part.along()));
+    return columnOf(indexed(QStringLiteral("P"), letterOfTargets(part.edition())), positionWidth,
+                    Alignment::decimal, part.write.language().unit(part.along()));
 }
 
 void addGroupRules(Table &table) {
@@ -153,11 +153,19 @@ public:
         }
         const std::size_t atATime =
             runsAtATime(m_part.measurement, std::max(m_columnWidth, narrowestReading));
+        const auto runsOfEach = [&](Direction direction) { // balanced
+            const std::size_t count = runs(direction).size();
+            const std::size_t parts = std::max<std::size_t>((count + atATime - 1) / atATime, 1);
+            return (count + parts - 1) / parts;
+        };
+        const std::size_t widest = std::max(runsOfEach(Direction::positive), runsOfEach(Direction::negative));
         for (const Direction direction : {Direction::positive, Direction::negative}) {
             const std::size_t count = runs(direction).size();
-            for (std::size_t first = 0; first < count; first += atATime) {
+            for (std::size_t first = 0; first < count; first += runsOfEach(direction)) {
                 Table table = base();
-                append(table, direction, first, std::min(atATime, count - first));
+                append(table, direction, first, std::min(runsOfEach(direction), count - first));
+                if (table.spanners.front().count < widest)
+                    setOnGrid(table, widest);
                 result.push_back(std::move(table));
             }
         }
@@ -204,8 +212,10 @@ private:
                                           {QStringLiteral("ij"), true},
                                           {arrow(direction)},
                                           {QStringLiteral(", ") + unit, false, false, true}})});
+        const QString run = letterOfTargets(m_part.edition()) == QLatin1String("j") ? QStringLiteral("i")
+                                                                                    : QStringLiteral("j");
         for (std::size_t j = first; j < first + count; ++j) {
-            Column column{QString(), QStringLiteral("j\u00A0=\u00A0") + QString::number(j + 1),
+            Column column{QString(), run + QStringLiteral("\u00A0=\u00A0") + QString::number(j + 1),
                           Alignment::decimal};
             if (j == first && table.columns.size() > 2)
                 column.gapBefore = directionsGap;
@@ -215,6 +225,17 @@ private:
                 table.rows[i].emplace_back(i < deviations.size() && deviations[i] ? reading(*deviations[i])
                                                                                   : QString());
         }
+    }
+
+    /// Gives fewer runs the widths they have in the other tables, with a blank column at the right.
+    void setOnGrid(Table &table, std::size_t columns) const {
+        for (Column &column : table.columns) {
+            if (column.width <= 0)
+                column.width = roomForReadings(m_part.measurement) / static_cast<double>(columns);
+        }
+        table.columns.push_back(flexibleColumn(QString(), 0));
+        for (std::vector<Cell> &row : table.rows)
+            row.push_back(blankCell());
     }
 
     const PositioningPart &m_part;

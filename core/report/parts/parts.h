@@ -121,6 +121,10 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part);
 /// Adds those of practice, laboratory and program.
 void addFurtherFindings(std::vector<Block> &blocks, const TestPart &part);
 
+/// A name of the standard without its ending "of an axis", which a heading states, unless a single word would
+/// be left; with a capital.
+[[nodiscard]] QString nameInTable(const Writer &write, const Text &name);
+
 /// "U: expanded uncertainty, k = 2, …": the coverage of U and where it comes from; empty without U.
 [[nodiscard]] QString uncertaintySentence(const TestPart &part);
 

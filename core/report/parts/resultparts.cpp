@@ -68,22 +68,9 @@ QString joinedSymbols(const std::vector<const Parameter *> &parameters) {
     return symbols.join(QStringLiteral(", "));
 }
 
-/// Removes the ending "of an axis" from the standard's names, since the table heading states it. A name that
-/// would become a single word is not changed.
-QString nameInTable(const Writer &write, const Text &name) {
-    QString result = write.text(name);
-    const QString ending =
-        u' ' + write.text(REPORT_TEXT_FOR("report", "of an axis", "end of the name of a parameter"));
-    if (result.endsWith(ending) && result.chopped(ending.size()).contains(u' '))
-        result.chop(ending.size());
-    if (!result.isEmpty())
-        result[0] = result[0].toUpper();
-    return result;
-}
-
-Phrase targetsTitle(const Writer &write) {
-    return Phrase({{write.text(REPORT_TEXT_FOR("report", "Targets", "followed by i")) + u' '},
-                   {QStringLiteral("i"), false, true}});
+Phrase targetsTitle(const TestPart &part) {
+    return Phrase({{part.write.text(REPORT_TEXT_FOR("report", "Targets", "followed by i")) + u' '},
+                   {letterOfTargets(part.edition()), false, true}});
 }
 
 /// Properties of the table of results of a kind of test.
@@ -147,7 +134,7 @@ Column columnOnPaper(const ResultColumn &column, const TestPart &part, const QSt
         break;
     case ResultLook::text:
         if (column.axesOnly)
-            result.title = targetsTitle(write);
+            result.title = targetsTitle(part);
         result.paddingLeft = gap;
         break;
     case ResultLook::picture:
@@ -677,6 +664,17 @@ void addFurtherFindings(std::vector<Block> &blocks, const TestPart &part) {
     blocks.emplace_back(std::move(block));
 }
 
+QString nameInTable(const Writer &write, const Text &name) {
+    QString result = write.text(name);
+    const QString ending =
+        u' ' + write.text(REPORT_TEXT_FOR("report", "of an axis", "end of the name of a parameter"));
+    if (result.endsWith(ending) && result.chopped(ending.size()).contains(u' '))
+        result.chop(ending.size());
+    if (!result.isEmpty())
+        result[0] = result[0].toUpper();
+    return result;
+}
+
 QString uncertaintySentence(const TestPart &part) {
     const Writer &write = part.write;
     const CoverageOfResults coverage = coverageOf(part.evaluation, part.head());
@@ -700,15 +698,15 @@ QString decisionText(const TestPart &part) {
     const Writer &write = part.write;
     QStringList words{write.say(
         inOrder(part.test.decisionRule.rule,
-                {REPORT_TEXT("report", "Simple acceptance: a value conforms when it is not above its limit; "
-                                       "the uncertainty has no part in it."),
-                 REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven: a value conforms when it "
-                                       "is at least g below its limit, does not conform when it is more "
-                                       "than g above it, and is not proven between; g = %1·U."),
+                {REPORT_TEXT("report", "Simple acceptance: a limit is met by a value not above it; the "
+                                       "uncertainty has no part in it."),
+                 REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven: a limit is met when the "
+                                       "value is at least g below it, exceeded when the value is more than g "
+                                       "above it, and not proven between; g = %1·U."),
                  REPORT_TEXT("report",
-                             "Non-conformity has to be proven: a value conforms when it is at least g "
-                             "below its limit and does not conform when it is more than g above it; "
-                             "between, non-conformity is not proven: no ground for rejection; g = %1·U.")}),
+                             "Non-conformity has to be proven: a limit is met when the value is at least g "
+                             "below it and exceeded when the value is more than g above it; between, "
+                             "non-conformity is not proven: no ground for rejection; g = %1·U.")}),
         {factor(part.test)})};
     if (hasGuardBand(part.test) && guardsSimulated(part.evaluation))
         words << write.say(

@@ -231,6 +231,11 @@ QString coverageNote(const CoverageOfResults &coverage, const Language &language
                              {symbols.join(QStringLiteral(", ")).toStdString()});
 }
 
+QString letterOfTargets(const Edition &edition) {
+    return edition.targetTerms.empty() ? QStringLiteral("i")
+                                       : QString::fromUtf8(edition.targetTerms.front().symbol.subscript);
+}
+
 bool guardsSimulated(const TestEvaluation &evaluation) {
     return std::ranges::any_of(evaluation.parameters, [](const Parameter &p) {
         return p.guardBand && p.decidedBy == UncertaintyMethod::monteCarlo;

@@ -111,6 +111,9 @@ struct CoverageOfResults {
 /// "k = 2", "95.45 %"; for a mixed column "95.45 % for A, E; k = 2 for the others". Empty without U.
 [[nodiscard]] QString coverageNote(const CoverageOfResults &coverage, const Language &language);
 
+/// "i", for an edition that calls its targets j "j".
+[[nodiscard]] QString letterOfTargets(const Edition &edition);
+
 /// True if a result has a simulated U, whose guard band includes 2 s_U.
 [[nodiscard]] bool guardsSimulated(const TestEvaluation &evaluation);
 

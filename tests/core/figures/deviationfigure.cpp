@@ -374,11 +374,14 @@ void DeviationFigure::limitsStandBesideTheirDimensions() {
     const CurveFigure guarded = figureOf(test);
     const Dimension *r = dimension(guarded, "R");
     QCOMPARE(r->limit, std::optional(7.0));
+    QCOMPARE(r->limitText, u"7"_s);
     QVERIFY(r->guard && std::abs(*r->guard - 0.83 * 1.5) < 1e-9);
     QVERIFY(!dimension(guarded, "A")->limit);
     QVERIFY(!dimension(guarded, "E")->limit);
     QCOMPARE(guarded.legend.back().sample, LegendSample::limit);
     QCOMPARE(guarded.legend.back().text, u"limit ± g"_s);
+    test.decisionRule.guardFactor = 1;
+    QCOMPARE(figureOf(test).legend.back().text, u"limit ± U"_s);
 
     test.decisionRule.rule = Rule::simpleAcceptance; // without a band
     const CurveFigure simple = figureOf(test);

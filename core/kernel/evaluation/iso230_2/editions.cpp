@@ -81,17 +81,17 @@ constexpr std::array rowsVdi3441{
 };
 
 constexpr std::array targets1988{
-    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6", upward},
-    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6", downward},
-    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), "", bothWays, detail},
-    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT_FOR("report", "reversal value at a position", "1988"), "2.7", bothWays, mainRow, "B"},
-    TargetTerm{"range+", {"W", "i", "↑"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8", upward | byRange},
-    TargetTerm{"range-", {"W", "i", "↓"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8", downward | byRange},
-    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9", upOnly},
-    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9", downOnly},
-    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10", upOnly, detail, "R+"},
-    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10", downOnly, detail, "R-"},
-    TargetTerm{"R", {"R", "i"}, REPORT_TEXT_FOR("report", "bi-directional repeatability of positioning at a position", "1988"), "2.11", both, mainRow, "R"},
+    TargetTerm{"mean+", {"x̄", "j", "↑"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6", upward},
+    TargetTerm{"mean-", {"x̄", "j", "↓"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6", downward},
+    TargetTerm{"mean", {"x̄", "j"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), "", bothWays, detail},
+    TargetTerm{"reversal", {"B", "j"}, REPORT_TEXT_FOR("report", "reversal value at a position", "1988"), "2.7", bothWays, mainRow, "B"},
+    TargetTerm{"range+", {"W", "j", "↑"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8", upward | byRange},
+    TargetTerm{"range-", {"W", "j", "↓"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8", downward | byRange},
+    TargetTerm{"s+", {"s", "j", "↑"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9", upOnly},
+    TargetTerm{"s-", {"s", "j", "↓"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9", downOnly},
+    TargetTerm{"R+", {"R", "j", "↑"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10", upOnly, detail, "R+"},
+    TargetTerm{"R-", {"R", "j", "↓"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10", downOnly, detail, "R-"},
+    TargetTerm{"R", {"R", "j"}, REPORT_TEXT_FOR("report", "bi-directional repeatability of positioning at a position", "1988"), "2.11", both, mainRow, "R"},
 };
 
 constexpr std::array targets2006{

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/print/figures/recordedtexts.h"
 #include "core/print/pdf/generator.h"
+#include "print/figures/drawfigure.h"
 #include "report/blocks/pagetext.h"
 
 #include <QXmlStreamReader>
@@ -109,6 +111,97 @@ QStringList faultsOf(const Report &report) {
     return faults;
 }
 
+/// Calls `use` with all blocks of a kind, also those beside something.
+template <class Kind>
+void eachOf(const Report &report, const auto &use) {
+    const auto take = [&](const auto &block) {
+        if (const auto *kind = std::get_if<Kind>(&block))
+            use(*kind);
+    };
+    for (const Block &block : report.blocks) {
+        take(block);
+        if (const auto *sides = std::get_if<SideBySide>(&block)) {
+            std::ranges::for_each(sides->left, take);
+            std::ranges::for_each(sides->right, take);
+        }
+    }
+}
+
+/// Texts that leave the figure or touch each other, limits and legend entries without their text.
+QStringList faultsOf(const FigureBlock &block) {
+    QStringList faults;
+    for (const double height : {block.height, std::max(block.least, 0.85 * block.height)}) {
+        const QRectF area(QPointF(0, 0), QSizeF(block.width, height) * mm);
+        TextRecorder recorder(area.size().toSize() + QSize(1, 1));
+        QPainter painter(&recorder);
+        drawFigure(painter, area, block.figure, Medium::paper);
+        painter.end();
+        QStringList texts;
+        for (std::size_t i = 0; i < recorder.texts.size(); ++i) {
+            const RecordedText &a = recorder.texts[i];
+            texts << a.text;
+            if (!area.adjusted(-0.2, -0.2, 0.2, 0.2).contains(a.box))
+                faults << u"beyond the figure: "_s + a.text;
+            for (std::size_t j = 0; j < i; ++j) {
+                const RecordedText &b = recorder.texts[j];
+                if (a.outline.intersects(b.outline) &&
+                    a.box.adjusted(0.1, 0.1, -0.1, -0.1).intersects(b.box.adjusted(0.1, 0.1, -0.1, -0.1)))
+                    faults << u"“%1” on “%2”"_s.arg(a.text, b.text);
+            }
+        }
+        const auto needs = [&](const QString &text) {
+            if (!text.isEmpty() && !texts.contains(text))
+                faults << u"not drawn: "_s + text;
+        };
+        if (const auto *circle = std::get_if<CircleFigure>(&block.figure)) {
+            for (const CircleLegendEntry &entry : circle->legend)
+                needs(entry.text);
+            for (const SenseArrow &arrow : circle->arrows)
+                needs(arrow.index);
+            if (circle->envelope && circle->envelope->limit)
+                needs(circle->envelope->limitLabel);
+        } else if (const auto *curve = std::get_if<CurveFigure>(&block.figure)) {
+            for (const Dimension &dimension : curve->dimensions)
+                needs(dimension.limit ? dimension.limitText : QString());
+        }
+    }
+    return faults;
+}
+
+/// Columns of decimal numbers that are not aligned at their mark.
+QStringList faultsOf(const Table &table) {
+    static const QRegularExpression number(u"^[−+]?[0-9\u202F]+([.,]([0-9]+))?$"_s);
+    QStringList faults;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        QSet<qsizetype> decimals;
+        for (const std::vector<Cell> &row : table.rows) {
+            if (const auto found = number.match(row[c].text.plain()); found.hasMatch())
+                decimals << found.capturedLength(2);
+        }
+        if (decimals.size() > 1 && table.columns[c].alignment != Alignment::decimal)
+            faults << u"decimals not aligned: column “%1”"_s.arg(table.columns[c].title.plain());
+    }
+    return faults;
+}
+
+/// Faults of figures and tables.
+QStringList faultsOfBlocks(const Report &report) {
+    QStringList faults;
+    eachOf<FigureBlock>(report, [&](const FigureBlock &block) { faults << faultsOf(block); });
+    eachOf<Table>(report, [&](const Table &table) { faults << faultsOf(table); });
+    QMap<QString, QSet<double>> magnifications; // of the senses of each subject
+    eachOf<FigureBlock>(report, [&](const FigureBlock &block) {
+        const auto *circle = std::get_if<CircleFigure>(&block.figure);
+        if (circle && circle->traces.size() == 1 && circle->envelope)
+            magnifications[circle->envelope->label] << circle->magnification;
+    });
+    for (const auto &[subject, values] : magnifications.asKeyValueRange()) {
+        if (values.size() > 1)
+            faults << u"magnifications differ: "_s + subject;
+    }
+    return faults;
+}
+
 /// Spaces before the double signs: no-break ones, and never none.
 QStringList frenchFaults(const QString &text) {
     static const QRegularExpression wrong(
@@ -141,7 +234,21 @@ void TypographyTest::pagesAreSetWell() {
     QStringList faults;
     for (int seed = 1; seed <= count; ++seed) {
         const auto language = seed % 2 == 0 ? Language::Id::french : Language::Id::english;
-        const Report report = reportOf(Generator(static_cast<unsigned>(seed) + 5000).document(), language);
+        Document document = Generator(static_cast<unsigned>(seed) + 5000).document();
+        if (seed % 3 == 0)
+            document.report.figures = CircleFigures::separate;
+        if (seed % 25 == 0) { // twelve tests
+            const auto tests = document.tests;
+            while (document.tests.size() < 12) {
+                Test another = *tests[document.tests.size() % tests.size()];
+                another.id += '-' + std::to_string(document.tests.size());
+                document.tests.push_back(std::make_shared<const Test>(std::move(another)));
+            }
+        }
+        const Report report = reportOf(document, language);
+        const QStringList ofBlocks = faultsOfBlocks(report);
+        for (const QString &fault : ofBlocks)
+            faults << u"seed %1, %2"_s.arg(seed).arg(fault);
         for (const QString &fault : faultsOf(report)) {
             nearlyEmpty += fault.contains(u"last page"_s) ? 1 : 0;
             const QString said = u"seed %1, %2"_s.arg(seed).arg(fault);
