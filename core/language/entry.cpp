@@ -16,6 +16,8 @@ namespace {
 
 constexpr Text notANumber = REPORT_TEXT("report", "not a number");
 constexpr Text beyondNumbers = REPORT_TEXT("report", "larger than any number");
+constexpr Text tooManyDigits = REPORT_TEXT("report", "more than 21 digits before the decimal mark");
+constexpr double mostToType = 1e21; // beyond it numbers are shown with an exponent, which nobody can type
 constexpr Text notTwoNumbers = REPORT_TEXT("report", "not two numbers, from … to");
 constexpr Text notAscending = REPORT_TEXT("report", "the first number is not the smaller one");
 constexpr Text notADate = REPORT_TEXT("report", "not a date such as 2026-03-12, 12.03.2026 or 12 March 2026");
@@ -119,7 +121,10 @@ NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUni
         !isGroupedWell(trimmed))
         return refused(notANumber);
     const double value = fromShown(plain, quantity, units);
-    return std::isfinite(value) ? NumberEntry{value, {}} : refused(beyondNumbers);
+    if (!std::isfinite(value))
+        return refused(beyondNumbers);
+    return std::abs(value) * unitScale(quantity, units) < mostToType ? NumberEntry{value, {}}
+                                                                     : refused(tooManyDigits);
 }
 
 IntervalEntry enteredInterval(QStringView typed, Quantity quantity, const DisplayUnits &units) {

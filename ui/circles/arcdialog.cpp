@@ -6,6 +6,7 @@
 #include "import/choices.h"
 #include "import/layouts/arcs.h"
 #include "kernel/words/shortest.h"
+#include "language/decimals.h"
 #include "language/entry.h"
 #include "tables/units.h"
 #include "ui/circles/arctexts.h"
@@ -164,7 +165,7 @@ void ArcDialog::fillWords(QComboBox &box, const char *key, bool (*isOfCircle)(st
 }
 
 QLineEdit *ArcDialog::addAngle(QFormLayout &form, const char *name, const QString &label, double value) {
-    auto *field = made<QLineEdit>(name, m_language.number(value, Quantity::angle), this);
+    auto *field = made<QLineEdit>(name, m_language.number(certain(value), Quantity::angle), this);
     field->setAlignment(Qt::AlignRight);
     auto *text = new QLabel(label, this);
     text->setBuddy(field);

@@ -51,10 +51,9 @@ QString pointText(const CircularMeasurement &measurement, std::size_t arc, std::
     return circlesText(QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "%1, point %2: %3 · %4"))
         .arg(senseWord(measured.sense), language.number(static_cast<double>(point + 1), Quantity::count, 0),
              language.quantity(measured.angles[point], Quantity::angle,
-                               decimalsOf({&measured.angles[point], 1}, Quantity::angle, mostDecimals)),
-             language.quantity(
-                 measured.radialDeviations[point], Quantity::deviation,
-                 decimalsOf({&measured.radialDeviations[point], 1}, Quantity::deviation, mostDecimals)));
+                               decimalsOf(measured.angles, Quantity::angle, mostDecimals)),
+             language.quantity(measured.radialDeviations[point], Quantity::deviation,
+                               decimalsOf(measured.radialDeviations, Quantity::deviation, mostDecimals)));
 }
 
 } // namespace palmer::ui

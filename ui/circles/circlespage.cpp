@@ -5,6 +5,7 @@
 #include "document/edits.h"
 #include "editing/typedreading.h"
 #include "kernel/evaluation/iso230_4/paths.h"
+#include "language/decimals.h"
 #include "language/entry.h"
 #include "ui/circles/arccurvesview.h"
 #include "ui/circles/arcdialog.h"
@@ -166,7 +167,7 @@ void CirclesPage::readPositive(Field *field, Quantity quantity, bool needed) {
             return {{}, tr("a circle needs a nominal radius")};
         if (entry.value && !(*entry.value > 0))
             return {{}, tr("not greater than 0")};
-        return {entry.value ? m_language.number(*entry.value, quantity) : QString(), {}};
+        return {entry.value ? m_language.number(certain(*entry.value), quantity) : QString(), {}};
     });
 }
 
@@ -315,7 +316,7 @@ Field::Reading CirclesPage::readEnd(const Field *end, const QString &typed) cons
         return {{}, tr("not below the upper end of the range")};
     if (beyond && end == m_to && !(*beyond < *entry.value))
         return {{}, tr("not above the lower end of the range")};
-    return {m_language.number(*entry.value, Quantity::angle), {}};
+    return {m_language.number(certain(*entry.value), Quantity::angle), {}};
 }
 
 void CirclesPage::typeRange(const Field *end) {
@@ -574,8 +575,8 @@ void CirclesPage::fillParameters(const CircularMeasurement &shown) {
         m_plane->addItem(plane, QStringList({QString::fromStdString(shown.plane.first),
                                              QString::fromStdString(shown.plane.second)}));
     m_plane->setCurrentIndex(m_plane->findText(plane));
-    m_radius->show(m_language.number(shown.nominalRadius, Quantity::position), false);
-    m_feed->show(shown.feed ? m_language.number(*shown.feed, Quantity::feed) : QString(), false);
+    m_radius->show(m_language.number(certain(shown.nominalRadius), Quantity::position), false);
+    m_feed->show(shown.feed ? m_language.number(certain(*shown.feed), Quantity::feed) : QString(), false);
     for (Field *field : {m_radius, m_feed})
         m_refused.giveBack(QString::fromStdString(m_shownId), *field);
     m_source->setCurrentIndex(static_cast<int>(shown.source));
@@ -589,7 +590,7 @@ void CirclesPage::fillRange() {
     const CircularMeasurement *shown = measurement();
     const bool any = shown && m_arc < shown->arcs.size();
     const auto range = any ? iso230_4::evaluatedRange(shown->arcs[m_arc]) : std::nullopt;
-    const auto angle = [&](double value) { return m_language.number(value, Quantity::angle); };
+    const auto angle = [&](double value) { return m_language.number(certain(value), Quantity::angle); };
     m_from->show(range ? angle(range->from) : QString(), false);
     m_to->show(range ? angle(range->to) : QString(), false);
     for (Field *end : {m_from, m_to}) {

@@ -6,6 +6,7 @@
 #include "import/formats.h"
 #include "import/importmeasurement.h"
 #include "kernel/measurement/testfacts.h"
+#include "language/decimals.h"
 #include "language/entry.h"
 #include "report/parts/comparedtests.h"
 #include "ui/comparison/comparisonside.h"
@@ -173,8 +174,9 @@ void ComparisonPage::fillBox() {
     const Quantity quantity = shown ? deviationQuantity(*shown) : Quantity::deviation;
     m_toleranceLabel->setText(tr("Agreed tolerance, %1").arg(windowLanguage().unit(quantity)));
     if (!m_ofFile) {
-        m_tolerance->setText(
-            stated && stated->tolerance ? windowLanguage().number(*stated->tolerance, quantity) : QString());
+        m_tolerance->setText(stated && stated->tolerance
+                                 ? windowLanguage().number(certain(*stated->tolerance), quantity)
+                                 : QString());
         m_untouched->setChecked(stated && stated->setUpUntouched);
     }
     m_tolerance->setEnabled(row > 0);

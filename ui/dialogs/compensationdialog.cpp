@@ -148,7 +148,7 @@ Field *CompensationDialog::addNumber(const char *name, const char *label,
         const NumberEntry entry = enteredNumber(typed, quantity, windowLanguage().units());
         if (entry.refusal)
             return {{}, windowLanguage().text(*entry.refusal)};
-        return {entry.value ? windowLanguage().number(*entry.value, quantity) : QString(), {}};
+        return {entry.value ? windowLanguage().number(certain(*entry.value), quantity) : QString(), {}};
     });
     connect(field, &Field::entered, this, [this, field, quantity, value] {
         m_options.*value = enteredNumber(field->valueText(), quantity, windowLanguage().units()).value;

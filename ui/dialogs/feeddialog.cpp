@@ -59,7 +59,7 @@ Field *FeedDialog::addNumber(const char *name, Quantity quantity, double iso230_
             return {{}, tr("a number is needed")};
         if (!(*entry.value > 0))
             return {{}, tr("not greater than 0")};
-        return {windowLanguage().number(*entry.value, quantity), {}};
+        return {windowLanguage().number(certain(*entry.value), quantity), {}};
     });
     connect(field, &Field::entered, this, [this, field, quantity, member] {
         const auto value = enteredNumber(field->valueText(), quantity, windowLanguage().units()).value;

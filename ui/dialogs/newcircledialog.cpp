@@ -3,6 +3,7 @@
 #include "ui/dialogs/newcircledialog.h"
 
 #include "kernel/evaluation/edition.h"
+#include "language/decimals.h"
 #include "language/entry.h"
 #include "ui/dialogs/statementsbox.h"
 #include "ui/formrows.h"
@@ -53,9 +54,9 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
         m_plane->setCurrentIndex(std::max(0, m_plane->findData(plane)));
         m_edition->setCurrentIndex(std::max(0, m_edition->findData(QString::fromStdString(like->edition))));
         m_source->setCurrentIndex(static_cast<int>(circle->source));
-        m_radius->setText(m_language.number(circle->nominalRadius, Quantity::position));
+        m_radius->setText(m_language.number(certain(circle->nominalRadius), Quantity::position));
         if (circle->feed)
-            m_feed->setText(m_language.number(*circle->feed, Quantity::feed));
+            m_feed->setText(m_language.number(certain(*circle->feed), Quantity::feed));
     }
 
     auto *form = new QFormLayout;

@@ -237,9 +237,9 @@ void NewTestDialog::propose() {
     // Targets are approached from both sides, so the axis needs travel beyond the first and last.
     const double room = travel > 2 * CycleProgram().approach ? CycleProgram().approach : 0;
     if (!m_first->isModified())
-        m_first->setText(m_language.number(room, quantity));
+        m_first->setText(m_language.number(certain(room), quantity));
     if (!m_last->isModified())
-        m_last->setText(m_language.number(travel - room, quantity));
+        m_last->setText(m_language.number(certain(travel - room), quantity));
     const TargetPlan plan = planned();
     if (!m_count->isModified() && !plan.targets.empty())
         m_count->setText(QString::number(plan.targets.size()));
@@ -259,7 +259,7 @@ void NewTestDialog::propose() {
         }
         QStringList positions;
         for (const double target : proposed)
-            positions << m_language.number(target, quantity);
+            positions << m_language.number(certain(target), quantity);
         writeTargets(positions.join(QStringLiteral("; ")));
     }
     check();

@@ -274,7 +274,7 @@ Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
     const auto shown = [whole, quantity](const std::optional<double> &value) {
         if (!value)
             return QString();
-        return whole ? QString::number(*value, 'f', 0) : windowLanguage().number(*value, quantity());
+        return whole ? QString::number(*value, 'f', 0) : windowLanguage().number(certain(*value), quantity());
     };
     field->setReader([quantity, set, shown, whole](const QString &typed) -> Field::Reading {
         const NumberEntry entry = enteredNumber(typed, quantity(), windowLanguage().units());

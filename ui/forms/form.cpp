@@ -6,6 +6,7 @@
 #include "document/fields.h"
 #include "document/fieldvalue.h"
 #include "document/statedthings.h"
+#include "language/decimals.h"
 #include "ui/chip.h"
 #include "ui/forms/columnslayout.h"
 #include "ui/forms/grouplayout.h"
@@ -299,8 +300,8 @@ Field *Form::addInterval(const Topic &topic, Quantity quantity, Member<std::opti
     Field *field = add(Field::Kind::number, topic, m_language.unit(quantity), weight);
     last().quantity = quantity;
     const auto shown = [this, quantity](const std::optional<Interval> &interval) {
-        return interval ? QStringLiteral("%1 … %2").arg(m_language.number(interval->from, quantity),
-                                                        m_language.number(interval->to, quantity))
+        return interval ? QStringLiteral("%1 … %2").arg(stated(interval->from, quantity, m_language),
+                                                        stated(interval->to, quantity, m_language))
                         : QString();
     };
     field->setReader([this, quantity, shown](const QString &typed) -> Field::Reading {
@@ -803,7 +804,7 @@ QString stated(const std::string &text) {
 }
 
 QString stated(const std::optional<double> &value, Quantity quantity, const Language &language) {
-    return value ? language.number(*value, quantity, -1) : QString();
+    return value ? language.number(certain(*value), quantity) : QString();
 }
 
 QString statedDate(const std::optional<std::string> &date, const Language &language) {

@@ -69,7 +69,7 @@ int SheetModel::columnCount(const QModelIndex &parent) const {
 /// A cell as it would be typed.
 QString SheetModel::typed(const SheetRow &row, int column) const {
     const auto number = [&](std::optional<double> value) {
-        return value ? m_language.number(*value, Quantity::number, -1) : QString();
+        return value ? m_language.number(certain(*value), Quantity::number) : QString();
     };
     switch (static_cast<SheetColumn>(column)) {
     case SheetColumn::number:

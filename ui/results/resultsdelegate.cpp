@@ -138,8 +138,12 @@ void ResultsDelegate::paintContent(QPainter &painter, const QStyleOptionViewItem
     const bool exceeded = key == "other" && line.otherVerdict == Verdict::doesNotConform;
     if (strong)
         font.setWeight(QFont::DemiBold);
-    drawElided(painter, cell.adjusted(2, 0, -4, 0),
-               ResultsModel::isNumber(index.column()) ? Qt::AlignRight : Qt::AlignLeft, shown, font,
+    const bool isNumber = ResultsModel::isNumber(index.column());
+    const int after = isNumber ? static_cast<const ResultsModel *>(index.model())
+                                     ->roomAfter(shown, index.column(), QFontMetrics(font))
+                               : 0;
+    drawElided(painter, cell.adjusted(2, 0, -4 - after, 0), isNumber ? Qt::AlignRight : Qt::AlignLeft, shown,
+               font,
                exceeded ? token(Token::bad, palette)
                : quiet  ? secondary
                         : text);

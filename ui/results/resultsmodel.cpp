@@ -2,9 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/resultsmodel.h"
 
+#include <QFontMetrics>
 #include <algorithm>
 
 namespace palmer::ui {
+
+namespace {
+
+/// ",25" of "1,25".
+QString fractionOf(const QString &number) {
+    const auto mark = std::ranges::find_if(number, [](QChar c) { return c == u'.' || c == u','; });
+    return number.mid(mark - number.begin());
+}
+
+} // namespace
 
 const std::vector<const ResultColumn *> &ResultsModel::columns() {
     static const std::vector<const ResultColumn *> listed = resultColumns(inWindow);
@@ -24,6 +35,14 @@ ResultsModel::ResultsModel(QObject *parent)
 void ResultsModel::setTable(const ResultTable &table, const Language &language) {
     m_table = table;
     m_language = language;
+    m_fractions.assign(columns().size(), {});
+    for (std::size_t k = 0; k < m_fractions.size(); ++k) {
+        for (const ResultLine &line : table.lines) {
+            const QString fraction = fractionOf(line.cell(*columns()[k]));
+            if (isNumber(static_cast<int>(k)) && fraction.size() > m_fractions[k].size())
+                m_fractions[k] = fraction;
+        }
+    }
     reset(table.lines);
 }
 
@@ -41,6 +60,13 @@ void ResultsModel::setNames(Names names) {
     m_names = names;
     if (rowCount() > 0)
         emit dataChanged(index(0, columnOf("name")), index(rowCount() - 1, columnOf("name")));
+}
+
+int ResultsModel::roomAfter(const QString &number, int place, const QFontMetrics &metrics) const {
+    const bool hasDigits = std::ranges::any_of(number, [](QChar c) { return c.isDigit(); });
+    return hasDigits ? metrics.horizontalAdvance(m_fractions[static_cast<std::size_t>(place)]) -
+                           metrics.horizontalAdvance(fractionOf(number))
+                     : 0;
 }
 
 int ResultsModel::rowOf(const QString &id) const {

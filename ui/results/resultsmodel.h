@@ -35,6 +35,8 @@ public:
     [[nodiscard]] QString nameOf(int row, Names names) const { return nameOf(line(row), names); }
     void setNames(Names names);
     [[nodiscard]] int rowOf(const QString &id) const; ///< −1 if there is none
+    /// Pixels to the right of a number that align its decimal mark with those of its column.
+    [[nodiscard]] int roomAfter(const QString &number, int place, const QFontMetrics &metrics) const;
 
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
@@ -45,6 +47,7 @@ private:
     ResultTable m_table;
     Language m_language{Language::Id::english};
     Names m_names = Names::brief;
+    std::vector<QString> m_fractions; ///< the longest of each column, with its decimal mark
 };
 
 } // namespace palmer::ui

@@ -7,6 +7,7 @@
 #include "kernel/evaluation/decideuncertainty.h"
 #include "kernel/uncertainty/circularbudget.h"
 #include "kernel/uncertainty/positioningbudget.h"
+#include "language/decimals.h"
 #include "language/rounding.h"
 #include "report/parts/parts.h"
 #include "report/words/printednumbers.h"
@@ -674,7 +675,8 @@ void UncertaintyPage::showPlaceholders(const TestEvaluation &evaluation) {
     if (m_trials)
         m_trials->setPlaceholder(tr("adaptive"));
     if (m_length && evaluation.uncertainty.length)
-        m_length->setPlaceholder(language().number(*evaluation.uncertainty.length, Quantity::position));
+        m_length->setPlaceholder(
+            language().number(certain(*evaluation.uncertainty.length), Quantity::position));
     if (m_environment)
         m_environment->setPlaceholder(driftPlaceholder());
     if (m_repeatability) {

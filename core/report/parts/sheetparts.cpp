@@ -61,8 +61,8 @@ SheetNumbers numbersOfResult(const Writer &write, const SheetResult &result,
     const PrintedNumbers numbers =
         printedNumbers(parameter, document.report.decisionRule, finestResolution(document, test),
                        write.language(), document.report.rounding);
-    return {numbers.alignedLimit.isEmpty() ? numbers.limit : numbers.alignedLimit, numbers.value,
-            numbers.uncertainty, write.language().unit(parameter.term.quantity)};
+    return {numbers.limit, numbers.value, numbers.uncertainty,
+            write.language().unit(parameter.term.quantity)};
 }
 
 Mark markOf(SheetState state) {

@@ -106,7 +106,7 @@ constexpr std::array columnRows{
     ResultColumn{"change", "", REPORT_TEXT("report", "Change"), ResultLook::number, inWindow | onClipboard,
         [](const ShownResult &s) { return s.change; }, nullptr, 0, 0, true},
     ResultColumn{"limit", "limit", REPORT_TEXT("report", "Limit"), ResultLook::number, forPeople | forPrograms,
-        [](const ShownResult &s) { return s.filledUp ? s.result.alignedLimit : s.result.limit; },
+        [](const ShownResult &s) { return s.result.limit; },
         [](const ToldResult &t) { return t.parameter.limit ? numberOrNull(t.parameter.limit->value) : Json(nullptr); }, 11, 11},
     ResultColumn{"limitOf", "", {}, ResultLook::text, inJson, nullptr,
         [](const ToldResult &t) { return wordOrNull(t.parameter.limitOf); }},

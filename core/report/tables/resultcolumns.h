@@ -34,7 +34,6 @@ enum ResultList : unsigned {
 struct ShownResult {
     const PrintedResult &result;
     const Language &language;
-    bool filledUp = false;                 ///< limits have the decimals of the value, as nothing aligns them
     const PrintedNumbers *other = nullptr; ///< same quantity in the test of the other role
     QString change = {};                   ///< as left − as found
 };

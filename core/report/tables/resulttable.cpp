@@ -206,7 +206,7 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         line.name = language.text(shortNameOf(*result.parameter, evaluation, standsForAll));
         line.narrowName =
             language.text(shortNameOf(*result.parameter, evaluation, standsForAll, Room::little));
-        ShownResult shown{result, language, true};
+        ShownResult shown{result, language};
         PrintedNumbers numbers;
         if (both)
             addOther(line, shown, numbers, table.otherIsFound, *both, evaluated);

@@ -122,8 +122,6 @@ PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &ru
     if (parameter.limit && parameter.limit->value) {
         const int own = limitDecimals(*parameter.limit->value, quantity, language.units());
         result.limit = language.number(*parameter.limit->value, quantity, own);
-        result.alignedLimit =
-            language.number(*parameter.limit->value, quantity, std::max(own, result.decimals));
     }
     if (isComparable(parameter))
         result.reach = printedReach(parameter, rule, digits, language);

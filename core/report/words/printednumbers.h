@@ -21,7 +21,6 @@ struct PrintedNumbers {
     QString value;               ///< may be empty, like all of the following
     QString uncertainty;         ///< empty without a value
     QString limit;               ///< as entered
-    QString alignedLimit;        ///< padded to the decimals of the value
     QString reach; ///< end of the guard band beyond the limit: limit + g, for a lower limit limit − g
 };
 
