@@ -179,14 +179,17 @@ QString shortTrendStatement(const MachineTrend &trend, const Language &language)
     return trendStatement(trend, language);
 }
 
-QString trendMethod(const MachineTrend &trend, const Language &language) {
+QString trendMethod(const MachineTrend &trend, const Language &language, bool withFormula) {
     QStringList sentences{language.text(REPORT_TEXT(
-        "report",
-        "Generalised least squares since the last intervention, V = diag(r² + s²) + Σ c·cᵀ: r own, c "
-        "shared by tests with the same instrument, temperature sensors or α of the machine, s scatter "
-        "beyond them. A trend is shown where the slope is at least t times its standard uncertainty "
-        "(95 %). Not before: line + t·u reaches the limit, one-sided 95 %, for the level, not for the "
-        "next test."))};
+        "report", "Generalised least squares since the last intervention; what tests share (instrument, "
+                  "temperature sensors, α of the machine) is no scatter."))};
+    if (withFormula)
+        sentences << language.text(
+            REPORT_TEXT("report", "V = diag(r² + s²) + Σ c·cᵀ: r own, c shared, s scatter beyond them."));
+    sentences << language.text(REPORT_TEXT(
+        "report", "A trend is shown where the slope is at least t times its standard uncertainty (95 %). Not "
+                  "before: line + t·u reaches the limit, one-sided 95 %, for the level, not for the next "
+                  "test."));
     if (trend.line)
         sentences << language.sentence(
             {REPORT_TEXT("report", "Nothing is said beyond %1, twice the observed time."),

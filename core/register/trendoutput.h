@@ -28,8 +28,9 @@ namespace palmer {
 /// The same for a small chart: "not before June 2029 *" if there is no statement beyond.
 [[nodiscard]] QString shortTrendStatement(const MachineTrend &trend, const Language &language);
 
-/// Returns how the line was computed, in a few sentences.
-[[nodiscard]] QString trendMethod(const MachineTrend &trend, const Language &language);
+/// Returns how the line was computed, in a few sentences; `withFormula`: with the matrix.
+[[nodiscard]] QString trendMethod(const MachineTrend &trend, const Language &language,
+                                  bool withFormula = true);
 
 /// Returns how a series differs from the first: "ISO 230-2:1988, feed 500 mm/min"; empty for the first.
 [[nodiscard]] QString seriesName(const TrendSeries &series, bool angular, const Language &language);

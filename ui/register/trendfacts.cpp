@@ -66,7 +66,7 @@ void TrendFacts::setTrend(const MachineTrend &trend) {
     html += QStringLiteral("</table>");
     html += QStringLiteral("<p style='color:%1'><small>%2</small></p>")
                 .arg(token(Token::secondaryText, QGuiApplication::palette()).name(),
-                     trendMethod(trend, language).toHtmlEscaped());
+                     trendMethod(trend, language, false).toHtmlEscaped());
     m_text->setText(html);
 }
 
