@@ -169,7 +169,10 @@ void ThermalPage::fill(RowTable &table, const Table &content) {
     for (int column = 0; column < table.columnCount(); ++column) {
         const Column &head = content.columns[static_cast<std::size_t>(column)];
         const QString unit = head.unit.isEmpty() ? QString() : u' ' + head.unit;
-        table.setHead(column, head.title.plain() + unit, head.alignment != Alignment::left);
+        QString title; // "E_VE", drawn with its subscript
+        for (const Span &span : head.title.spans)
+            title += (span.subscript ? QStringLiteral("_") : QString()) + span.text;
+        table.setHead(column, title + unit, head.alignment != Alignment::left);
     }
     for (int row = 0; row < table.rowCount(); ++row) {
         const auto &cells = content.rows[static_cast<std::size_t>(row)];
@@ -199,7 +202,13 @@ void ThermalPage::present() {
         view.setFigure(visible && any ? std::optional<Figure>(figure) : std::nullopt);
         view.setVisible(visible);
     };
-    draw(*m_drift, channelFigure(*shown, m_result->channels, channel, language), true);
+    const auto taker = user();
+    const Test *taking = taker ? m_evaluated.document->tests[*taker].get() : nullptr;
+    const std::string &id = m_evaluated.document->tests[m_test]->id;
+    const auto found = taking ? driftVariation(*m_evaluated.document, id, *taking) : std::nullopt;
+    const bool isWithin = found && taking->duration; // otherwise the window is the whole record
+    draw(*m_drift,
+         channelFigure(*shown, m_result->channels, channel, language, isWithin ? found : std::nullopt), true);
     const bool hot = !shown->temperatures.empty();
     draw(*m_temperatures, temperatureFigure(*shown, language), hot);
     const LineFigure variation = variationFigure(*shown, language);
@@ -223,18 +232,13 @@ void ThermalPage::present() {
         fill(*m_cases, table);
         m_cases->fit(0, 120);
     }
-    const auto taker = user();
-    const auto found = taker ? driftVariation(*m_evaluated.document, m_evaluated.document->tests[m_test]->id,
-                                              *m_evaluated.document->tests[*taker])
-                             : std::nullopt;
-    const std::string *taken = taker ? driftTestOf(*m_evaluated.document->tests[*taker]) : nullptr;
-    const bool isTaken = taken && *taken == m_evaluated.document->tests[m_test]->id;
+    const std::string *taken = taking ? driftTestOf(*taking) : nullptr;
+    const bool isTaken = taken && *taken == id;
     m_take->setVisible(found.has_value());
     m_take->setEnabled(found && !isTaken);
     if (found)
         m_take->setText(tr("Take %1 into the budget")
-                            .arg(language.quantity(
-                                found->value, deviationQuantity(*m_evaluated.document->tests[*taker]), 1)));
+                            .arg(language.quantity(found->value, deviationQuantity(*taking), 1)));
 }
 
 /// The chosen test takes its E_VE from this drift test.

@@ -158,7 +158,8 @@ bool hasThermalPage(const Test &test) {
 }
 
 LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<ThermalChannel> &channels,
-                         std::optional<std::size_t> shown, const Language &language) {
+                         std::optional<std::size_t> shown, const Language &language,
+                         const std::optional<Variation> &worst) {
     const Quantity quantity = channels.empty() ? Quantity::deviation : quantityOf(channels.front().channel);
     LineFigure figure =
         overTime(drift, REPORT_TEXT("report", "Drift"), REPORT_TEXT("report", "Deviation at rest"),
@@ -185,6 +186,19 @@ LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<Therma
                                                    {}}),
                                 std::move(points)});
     }
+    if (worst) {
+        const double from = worst->from * perSecond;
+        const double to = worst->to * perSecond;
+        const double low = worst->low * scale;
+        const double high = worst->high * scale;
+        figure.lines.push_back(
+            {LineRole::clockwise,
+             {},
+             language.sentence({REPORT_TEXT("report", "largest range within the duration: %1"),
+                                {Number{worst->value, quantity, 1}},
+                                {}}),
+             {{from, low}, {from, high}, {to, high}, {to, low}, {from, low}}});
+    }
     return finished(std::move(figure), language);
 }
 
@@ -210,6 +224,9 @@ LineFigure variationFigure(const DriftMeasurement &drift, const Language &langua
         overTime(drift, REPORT_TEXT("report", "Variation over the duration"),
                  REPORT_TEXT("report", "Environmental variation E_VE"), language.unit(quantity), language);
     figure.x.quantity = language.text(REPORT_TEXT("report", "Duration of the window T"));
+    figure.y.quantity.chop(5); // " E_VE", drawn with its subscript
+    figure.y.symbol = QStringLiteral("E");
+    figure.y.subscript = QStringLiteral("VE");
     const double lasts = drift.times.empty() ? 0 : drift.times.back() - drift.times.front();
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const QString name = QString::fromStdString(channels[i].name);
