@@ -54,7 +54,7 @@ struct RequirementOf {
     Judgement (*judge)(const Case &) = nullptr;
     Text name = {};     ///< what is required: "Not declared: …", "Not stated in the report: …"
     Text sentence = {}; ///< if unmet and the judgement has no sentence of its own
-    std::array<const char *, 2> keys = {};
+    std::array<const char *, 3> keys = {};
     Explains explains = Explains::nothing;
 };
 

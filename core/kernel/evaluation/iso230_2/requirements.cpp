@@ -152,7 +152,7 @@ constexpr std::array text1988{
     Demand{"dwell", text, "4.1", shall, conditions, nullptr, dwell,
         REPORT_TEXT("report", "rest at each target"), REPORT_TEXT("report", "No rest at the targets."), {"conditions.dwell"}},
     Demand{"feed", text, "4.1", shall, conditions, nullptr, feedOrRapid,
-        REPORT_TEXT("report", "agreed feed"), REPORT_TEXT("report", "Neither rapid nor at an agreed feed."), {"conditions.feed", "agreedPoints.feed"}},
+        REPORT_TEXT("report", "agreed feed"), REPORT_TEXT("report", "Neither rapid nor at an agreed feed."), {"conditions.feed", "conditions.feedMode", "agreedPoints.feed"}},
     Demand{"targetChoice", text, "4.2", shall, conditions, linearChosenFreely, choiceOf1988,
         REPORT_TEXT("report", "choice of targets, cyclic pitch"), {}, {"targetChoice"}},
     Demand{"instrumentPosition", text, "4.3.1", shall, conditions, nullptr, statingConditions<common::instrumentPosition>,
