@@ -4,10 +4,12 @@
 
 #include "document/evaluateddocument.h"
 #include "document/json.h"
+#include "document/plannedtest.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/testsofverdict.h"
 #include "export/dcc.h"
+#include "export/partprogram.h"
 #include "export/resultsjson.h"
 #include "figures/figuretexts.h"
 #include "figures/testfigures.h"
@@ -241,6 +243,7 @@ public:
             csv(i);
             figure(i);
             window(i);
+            program(i);
         }
         certificate();
         limits();
@@ -667,6 +670,40 @@ private:
             violated("one count", "the window sums up: " + model.summary().toStdString());
     }
 
+    /// A part program rests at each target as often as it is measured, in every dialect.
+    void program(std::size_t i) {
+        const auto own = planOf(*document().tests[i]);
+        if (!own)
+            return;
+        const CycleProgram &program = own->program;
+        const auto path = cyclePath(program);
+        const auto stops =
+            std::ranges::count_if(path, [](const Move &move) { return move.stop.has_value(); });
+        for (const DialectName &dialect : dialects()) {
+            QString text;
+            try {
+                text =
+                    QString::fromUtf8(partProgram(program, dialect.dialect, Language(Language::Id::english)));
+            } catch (const Error &error) { // an impossible one says why
+                if (error.message.text.empty())
+                    violated("part program", "refused without a reason");
+                continue;
+            }
+            harmless("the part program", text);
+            ++m_counts.programs;
+            static const QRegularExpression rest(QStringLiteral("^(\\d+ CYCL DEF 9\\.1|G4 )"),
+                                                 QRegularExpression::MultilineOption);
+            if (text.count(rest) != stops)
+                violated("part program", std::string(dialect.word) + " rests at another number of targets");
+            for (const double target : program.targets) {
+                if (!text.contains(QString::fromStdString(Decimal(target).rounded(program.decimals))))
+                    violated("part program", std::string(dialect.word) + " lacks a target");
+            }
+            if (std::ranges::any_of(text, [](QChar c) { return c.unicode() > 126; }))
+                violated("part program", std::string(dialect.word) + " is not ASCII");
+        }
+    }
+
     void registered() {
         const auto entries = registeredTests(m_followed.evaluated, QStringLiteral("Palmer"));
         std::size_t entry = 0;
@@ -837,6 +874,7 @@ Counts &Counts::operator+=(const Counts &other) {
     reports += other.reports;
     readBack += other.readBack;
     drawn += other.drawn;
+    programs += other.programs;
     for (const auto &[law, count] : other.violations)
         violations[law] += count;
     return *this;

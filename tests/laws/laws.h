@@ -31,6 +31,7 @@ struct Counts {
     int reports = 0;                       ///< as PDF
     int readBack = 0;                      ///< tests as CSV
     int drawn = 0;                         ///< figures
+    int programs = 0;                      ///< part programs
     std::map<std::string, int> violations; ///< by law
 
     Counts &operator+=(const Counts &other);
