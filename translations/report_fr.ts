@@ -6281,11 +6281,11 @@
     </message>
     <message>
         <source>; not: %1</source>
-        <translation> ; non conformes&#xa0;: %1</translation>
+        <translation>&#x202f;; non conformes&#xa0;: %1</translation>
     </message>
     <message>
         <source>; not checked: %1</source>
-        <translation> ; non vérifiés&#xa0;: %1</translation>
+        <translation>&#x202f;; non vérifiés&#xa0;: %1</translation>
     </message>
     <message>
         <source>not declared</source>
@@ -7356,10 +7356,6 @@
     <message>
         <source>not before %1</source>
         <translation>pas avant %1</translation>
-    </message>
-    <message>
-        <source>Generalised least squares since the last intervention, V = diag(r² + s²) + Σ c·cᵀ: r own, c shared by tests with the same instrument, temperature sensors or α of the machine, s scatter beyond them. A trend is shown where the slope is at least t times its standard uncertainty (95 %). Not before: line + t·u reaches the limit, one-sided 95 %, for the level, not for the next test.</source>
-        <translation>Moindres carrés généralisés depuis la dernière intervention, V = diag(r² + s²) + Σ c·cᵀ&#xa0;: r part propre, c part commune aux essais faits avec le même instrument, les mêmes capteurs de température ou le même α de la machine, s dispersion au-delà. Une tendance est indiquée si la pente atteint au moins t fois son incertitude-type (95&#xa0;%). Pas avant&#xa0;: la droite + t·u atteint la limite, borne unilatérale à 95&#xa0;%, pour le niveau, non pour le prochain essai.</translation>
     </message>
     <message>
         <source>Nothing is said beyond %1, twice the observed time.</source>
@@ -10234,15 +10230,15 @@
     </message>
     <message>
         <source>Decision rule: %1. A limit is met by a value not above it; the verdict is based on unrounded values.</source>
-        <translation>Règle de décision&#xa0;: %1. Une limite est respectée par une valeur qui ne la dépasse pas ; verdict établi sur les valeurs non arrondies.</translation>
+        <translation>Règle de décision&#xa0;: %1. Une limite est respectée par une valeur qui ne la dépasse pas&#x202f;; verdict établi sur les valeurs non arrondies.</translation>
     </message>
     <message>
         <source>Decision rule: %1. A limit is met where value + %2 ≤ limit, exceeded where value − %2 &gt; limit, otherwise not proven; the verdict is based on unrounded values.</source>
-        <translation>Règle de décision&#xa0;: %1. Une limite est respectée si valeur&#xa0;+&#xa0;%2&#xa0;≤&#xa0;limite, dépassée si valeur&#xa0;−&#xa0;%2&#xa0;&gt;&#xa0;limite, sinon le respect n’est pas prouvé ; verdict établi sur les valeurs non arrondies.</translation>
+        <translation>Règle de décision&#xa0;: %1. Une limite est respectée si valeur&#xa0;+&#xa0;%2&#xa0;≤&#xa0;limite, dépassée si valeur&#xa0;−&#xa0;%2&#xa0;&gt;&#xa0;limite, sinon le respect n’est pas prouvé&#x202f;; verdict établi sur les valeurs non arrondies.</translation>
     </message>
     <message>
         <source>Decision rule: %1. A limit is met where value + %2 ≤ limit, exceeded where value − %2 &gt; limit; between, non-conformity is not proven; the verdict is based on unrounded values.</source>
-        <translation>Règle de décision&#xa0;: %1. Une limite est respectée si valeur&#xa0;+&#xa0;%2&#xa0;≤&#xa0;limite, dépassée si valeur&#xa0;−&#xa0;%2&#xa0;&gt;&#xa0;limite ; entre les deux, la non-conformité n’est pas prouvée ; verdict établi sur les valeurs non arrondies.</translation>
+        <translation>Règle de décision&#xa0;: %1. Une limite est respectée si valeur&#xa0;+&#xa0;%2&#xa0;≤&#xa0;limite, dépassée si valeur&#xa0;−&#xa0;%2&#xa0;&gt;&#xa0;limite&#x202f;; entre les deux, la non-conformité n’est pas prouvée&#x202f;; verdict établi sur les valeurs non arrondies.</translation>
     </message>
     <message>
         <source>limit ± %1, one scale per row</source>
@@ -10250,7 +10246,7 @@
     </message>
     <message>
         <source>edition of the test: %1; the others without verdict</source>
-        <translation>édition de l’essai&#xa0;: %1 ; les autres sans verdict</translation>
+        <translation>édition de l’essai&#xa0;: %1&#x202f;; les autres sans verdict</translation>
     </message>
     <message>
         <source>Twice the standard deviation of U over the blocks of trials: at most %1.</source>
@@ -10570,11 +10566,31 @@
     </message>
     <message>
         <source>%1 or %2? Type one of them</source>
-        <translation>%1 ou %2 ? Saisir l’une des deux</translation>
+        <translation>%1 ou %2&#x202f;? Saisir l’une des deux</translation>
     </message>
     <message>
         <source>a power of ten: type all digits</source>
-        <translation>une puissance de dix : saisir tous les chiffres</translation>
+        <translation>une puissance de dix&#xa0;: saisir tous les chiffres</translation>
+    </message>
+    <message>
+        <source>more than 21 digits before the decimal mark</source>
+        <translation>plus de 21 chiffres avant la virgule</translation>
+    </message>
+    <message>
+        <source>Generalised least squares since the last intervention; what tests share (instrument, temperature sensors, α of the machine) is no scatter.</source>
+        <translation>Moindres carrés généralisés depuis la dernière intervention&#x202f;; ce que des essais ont en commun (instrument, capteurs de température, α de la machine) n’est pas de la dispersion.</translation>
+    </message>
+    <message>
+        <source>V = diag(r² + s²) + Σ c·cᵀ: r own, c shared, s scatter beyond them.</source>
+        <translation>V = diag(r² + s²) + Σ c·cᵀ&#xa0;: r part propre, c part commune, s dispersion au-delà.</translation>
+    </message>
+    <message>
+        <source>A trend is shown where the slope is at least t times its standard uncertainty (95 %). Not before: line + t·u reaches the limit, one-sided 95 %, for the level, not for the next test.</source>
+        <translation>Une tendance est indiquée si la pente atteint au moins t fois son incertitude-type (95&#xa0;%). Pas avant&#xa0;: la droite + t·u atteint la limite, borne unilatérale à 95&#xa0;%, pour le niveau, non pour le prochain essai.</translation>
+    </message>
+    <message>
+        <source>largest range within the duration: %1</source>
+        <translation>plus grande étendue pendant la durée&#xa0;: %1</translation>
     </message>
 </context>
 </TS>

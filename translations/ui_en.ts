@@ -129,6 +129,16 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::ConditionsPage</name>
+    <message numerus="yes">
+        <source>%n missing</source>
+        <translation>
+            <numerusform>%n missing</numerusform>
+            <numerusform>%n missing</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::FilterBar</name>
     <message numerus="yes">
         <source>%1 of %2 test(s)</source>
@@ -173,13 +183,6 @@
         <translation>
             <numerusform>%n recommendation</numerusform>
             <numerusform>%n recommendations</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n not declared</source>
-        <translation>
-            <numerusform>%n not declared</numerusform>
-            <numerusform>%n not declared</numerusform>
         </translation>
     </message>
 </context>
@@ -475,19 +478,19 @@
     </message>
 </context>
 <context>
-    <name>palmer::ui::ResultsPanel</name>
+    <name>palmer::ui::SearchBox</name>
     <message numerus="yes">
-        <source>%n requirement(s) not met</source>
+        <source>%n answer(s)</source>
         <translation>
-            <numerusform>%n requirement not met</numerusform>
-            <numerusform>%n requirements not met</numerusform>
+            <numerusform>%n answer</numerusform>
+            <numerusform>%n answers</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n requirement(s) not declared</source>
+        <source>search: %n answer(s)</source>
         <translation>
-            <numerusform>%n requirement not declared</numerusform>
-            <numerusform>%n requirements not declared</numerusform>
+            <numerusform>search: %n answer</numerusform>
+            <numerusform>search: %n answers</numerusform>
         </translation>
     </message>
 </context>
@@ -587,33 +590,6 @@
         <translation>
             <numerusform>%n run ↓</numerusform>
             <numerusform>%n runs ↓</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::SearchBox</name>
-    <message numerus="yes">
-        <source>%n answer(s)</source>
-        <translation>
-            <numerusform>%n answer</numerusform>
-            <numerusform>%n answers</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>search: %n answer(s)</source>
-        <translation>
-            <numerusform>search: %n answer</numerusform>
-            <numerusform>search: %n answers</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::ConditionsPage</name>
-    <message numerus="yes">
-        <source>%n missing</source>
-        <translation>
-            <numerusform>%n missing</numerusform>
-            <numerusform>%n missing</numerusform>
         </translation>
     </message>
 </context>

@@ -1023,6 +1023,96 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::ComparisonPage</name>
+    <message>
+        <source>Another file…</source>
+        <translation>Un autre fichier…</translation>
+    </message>
+    <message>
+        <source>Agreed tolerance, %1</source>
+        <translation>Tolérance convenue, %1</translation>
+    </message>
+    <message>
+        <source>%1 has no test like this one</source>
+        <translation>%1 n’a pas d’essai comparable à celui-ci</translation>
+    </message>
+    <message>
+        <source>A comparison needs the same axis or plane, directions and radius.</source>
+        <translation>Une comparaison demande le même axe ou plan, les mêmes sens et le même rayon.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened</source>
+        <translation>%1 ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>Compare with the test of a file</source>
+        <translation>Comparer à l’essai d’un fichier</translation>
+    </message>
+    <message>
+        <source>Tests and measurements (%1)</source>
+        <translation>Essais et mesures (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Choose the test to compare with: of this file, such as the one as found or that before a repair, or of another file. The report then has a page of the comparison.</source>
+        <translation>Choisissez l’essai de comparaison&#xa0;: un essai de ce fichier, comme l’état initial ou l’essai avant réparation, ou celui d’un autre fichier. Le rapport a alors une page de comparaison.</translation>
+    </message>
+    <message>
+        <source>A test of another file is not part of the report.</source>
+        <translation>L’essai d’un autre fichier n’entre pas dans le rapport.</translation>
+    </message>
+    <message>
+        <source>Compared with</source>
+        <translation>Comparé à</translation>
+    </message>
+    <message>
+        <source>before − after</source>
+        <translation>avant − après</translation>
+    </message>
+    <message>
+        <source>set-up untouched</source>
+        <translation>montage inchangé</translation>
+    </message>
+    <message>
+        <source>The instrument stood as it had been aligned for the other test: its misalignment is shared</source>
+        <translation>L’instrument est resté tel qu’aligné pour l’autre essai&#xa0;: son défaut d’alignement est commun</translation>
+    </message>
+    <message>
+        <source>Up to this a change is of no consequence; empty: none was agreed</source>
+        <translation>Jusqu’à cette valeur un changement est sans conséquence&#x202f;; vide&#xa0;: aucune convenue</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Copier le tableau pour un tableur</translation>
+    </message>
+    <message>
+        <source>no test</source>
+        <comment>to compare with</comment>
+        <translation>aucun essai</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::ComparisonSide</name>
+    <message>
+        <source>Both tests</source>
+        <translation>Les deux essais</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n common target(s)</source>
+        <translation>
+            <numerusform>%n point commun</numerusform>
+            <numerusform>%n points communs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Uncertainty of the difference</source>
+        <translation>Incertitude de la différence</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::CompensationDialog</name>
     <message>
         <source>From (empty: first target)</source>
@@ -1261,7 +1351,7 @@
     </message>
     <message>
         <source>Fills what is open as for the last test of this machine, in this file or in the register; what is measured on the day stays open</source>
-        <translation>Remplit ce qui manque comme pour le dernier essai de cette machine, dans ce fichier ou dans le registre ; ce qui se mesure le jour de l’essai reste à indiquer</translation>
+        <translation>Remplit ce qui manque comme pour le dernier essai de cette machine, dans ce fichier ou dans le registre&#x202f;; ce qui se mesure le jour de l’essai reste à indiquer</translation>
     </message>
     <message numerus="yes">
         <source>%n missing</source>
@@ -1618,6 +1708,10 @@
         <source>usual in practice, not stated</source>
         <translation>d’usage, non indiqué</translation>
     </message>
+    <message>
+        <source>incomplete</source>
+        <translation>incomplet</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::FigureView</name>
@@ -1676,6 +1770,10 @@
     <message>
         <source>Figure copied</source>
         <translation>Figure copiée</translation>
+    </message>
+    <message>
+        <source>Drag the figure from here into another program</source>
+        <translation>Faire glisser la figure d’ici vers un autre logiciel</translation>
     </message>
 </context>
 <context>
@@ -1778,13 +1876,6 @@
         <translation>
             <numerusform>%n recommandation</numerusform>
             <numerusform>%n recommandations</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n not declared</source>
-        <translation>
-            <numerusform>%n non déclarée</numerusform>
-            <numerusform>%n non déclarées</numerusform>
         </translation>
     </message>
 </context>
@@ -2819,10 +2910,6 @@
         <translation>Reno&amp;mmer l’essai…</translation>
     </message>
     <message>
-        <source>Dupli&amp;cate the test</source>
-        <translation>Dupli&amp;quer l’essai</translation>
-    </message>
-    <message>
         <source>Repeat the test, &amp;without readings</source>
         <translation>Nouvel essai sem&amp;blable (sans relevés)</translation>
     </message>
@@ -3096,6 +3183,26 @@
     <message>
         <source>T&amp;hermal behaviour</source>
         <translation>Comportement &amp;thermique</translation>
+    </message>
+    <message>
+        <source>Duplicate the test</source>
+        <translation>Dupliquer l’essai</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>À l’ouverture</translation>
+    </message>
+    <message>
+        <source>Hist&amp;ory</source>
+        <translation>H&amp;istorique</translation>
+    </message>
+    <message>
+        <source>Dupli&amp;cate the test…</source>
+        <translation>Dupli&amp;quer l’essai…</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the report…</source>
+        <translation>A&amp;fficher dans le rapport…</translation>
     </message>
 </context>
 <context>
@@ -4433,20 +4540,6 @@ est la même machine que&#xa0;:</translation>
         <source>Copy the results as a table</source>
         <translation>Copier les résultats en tableau</translation>
     </message>
-    <message numerus="yes">
-        <source>%n requirement(s) not met</source>
-        <translation>
-            <numerusform>%n exigence non satisfaite</numerusform>
-            <numerusform>%n exigences non satisfaites</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n requirement(s) not declared</source>
-        <translation>
-            <numerusform>%n exigence non déclarée</numerusform>
-            <numerusform>%n exigences non déclarées</numerusform>
-        </translation>
-    </message>
     <message>
         <source>test %1 of %2</source>
         <translation>essai %1 du %2</translation>
@@ -4485,6 +4578,39 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>Being computed; shown is what was before</source>
         <translation>Calcul en cours&#x202f;; affiché&#xa0;: l’état précédent</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::SearchBox</name>
+    <message numerus="yes">
+        <source>%n answer(s)</source>
+        <translation>
+            <numerusform>%n réponse</numerusform>
+            <numerusform>%n réponses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>search: %n answer(s)</source>
+        <translation>
+            <numerusform>recherche&#xa0;: %n réponse</numerusform>
+            <numerusform>recherche&#xa0;: %n réponses</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Settings and commands</source>
+        <translation>Réglages et commandes</translation>
+    </message>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation>Chercher (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search fields, results, findings and settings</source>
+        <translation>Chercher dans les champs, résultats, constats et réglages</translation>
+    </message>
+    <message>
+        <source>↑↓ choose · Enter go there · Ctrl+Enter without closing · Esc close</source>
+        <translation>↑↓ choisir · Entrée y aller · Ctrl+Entrée sans fermer · Échap fermer</translation>
     </message>
 </context>
 <context>
@@ -4571,6 +4697,67 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>&amp;Close</source>
         <translation>&amp;Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::SheetModel</name>
+    <message>
+        <source>Link</source>
+        <translation>Lien</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Norme</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::SheetPage</name>
+    <message>
+        <source>ISO 14253-1: conformity is to be proven</source>
+        <translation>ISO 14253-1&#xa0;: conformité à prouver</translation>
+    </message>
+    <message>
+        <source>non-conformity is to be proven</source>
+        <translation>non-conformité à prouver</translation>
+    </message>
+    <message>
+        <source>Guard band, times U</source>
+        <translation>Facteur de bande de garde (×&#xa0;U)</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Contrôles</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Add a row</source>
+        <translation>Ajouter une ligne</translation>
+    </message>
+    <message>
+        <source>Remove rows</source>
+        <translation>Supprimer les lignes</translation>
+    </message>
+    <message>
+        <source>Take from a test…</source>
+        <translation>Reprendre d’un essai…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) pasted</source>
+        <translation>
+            <numerusform>%n ligne collée</numerusform>
+            <numerusform>%n lignes collées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was checked beside the tests yet. Type into the empty row, or paste a table with number, object, tolerance, measured value, U and unit.</source>
+        <translation>Rien n’a encore été contrôlé en plus des essais. Saisir dans la ligne vide, ou coller un tableau avec numéro, objet, tolérance, valeur mesurée, U et unité.</translation>
     </message>
 </context>
 <context>
@@ -4899,6 +5086,29 @@ est la même machine que&#xa0;:</translation>
     </message>
 </context>
 <context>
+    <name>palmer::ui::ThermalPage</name>
+    <message>
+        <source>No temperatures were recorded with the drift: no response can be told.</source>
+        <translation>Aucune température n’a été relevée avec la dérive&#xa0;: aucune réponse ne peut être déterminée.</translation>
+    </message>
+    <message>
+        <source>Take %1 into the budget</source>
+        <translation>Prendre %1 dans le budget</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Voie</translation>
+    </message>
+    <message>
+        <source>serves</source>
+        <translation>sert à</translation>
+    </message>
+    <message>
+        <source>The test that takes E_VE from here</source>
+        <translation>L’essai qui prend l’E_VE d’ici</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::TrendChart</name>
     <message>
         <source>today</source>
@@ -4956,6 +5166,41 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>&amp;Remove what is not found</source>
         <translation>&amp;Retirer ce qui est introuvable</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::TypeDialog</name>
+    <message>
+        <source>Type test of %1</source>
+        <translation>Essai de type de %1</translation>
+    </message>
+    <message>
+        <source>Axis and parameter</source>
+        <translation>Axe et grandeur</translation>
+    </message>
+    <message>
+        <source>Values of the machines</source>
+        <translation>Valeurs des machines</translation>
+    </message>
+    <message>
+        <source>&amp;Axis and parameter</source>
+        <translation>&amp;Axe et grandeur</translation>
+    </message>
+    <message>
+        <source>&amp;Save PDF…</source>
+        <translation>&amp;Enregistrer le PDF…</translation>
+    </message>
+    <message>
+        <source>Save the type test</source>
+        <translation>Enregistrer l’essai de type</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documents PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The type test was not saved</source>
+        <translation>L’essai de type n’a pas été enregistré</translation>
     </message>
 </context>
 <context>
@@ -5421,6 +5666,14 @@ est la même machine que&#xa0;:</translation>
         <source>type or paste the points of the arcs</source>
         <translation>saisir ou coller les points des arcs</translation>
     </message>
+    <message>
+        <source>P&amp;lan of targets…</source>
+        <translation>P&amp;lan de points…</translation>
+    </message>
+    <message>
+        <source>targets, part program, table to fill in</source>
+        <translation>points visés, programme pièce, tableau à remplir</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::WorkBar</name>
@@ -5593,248 +5846,6 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>%1 drift</source>
         <translation>Dérive %1</translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::SheetModel</name>
-    <message>
-        <source>Link</source>
-        <translation>Lien</translation>
-    </message>
-    <message>
-        <source>Remark</source>
-        <translation>Remarque</translation>
-    </message>
-    <message>
-        <source>Standard</source>
-        <translation>Norme</translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::SheetPage</name>
-    <message>
-        <source>ISO 14253-1: conformity is to be proven</source>
-        <translation>ISO 14253-1&#xa0;: conformité à prouver</translation>
-    </message>
-    <message>
-        <source>non-conformity is to be proven</source>
-        <translation>non-conformité à prouver</translation>
-    </message>
-    <message>
-        <source>Guard band, times U</source>
-        <translation>Facteur de bande de garde (×&#xa0;U)</translation>
-    </message>
-    <message>
-        <source>Checks</source>
-        <translation>Contrôles</translation>
-    </message>
-    <message>
-        <source>Paste</source>
-        <translation>Coller</translation>
-    </message>
-    <message>
-        <source>Add a row</source>
-        <translation>Ajouter une ligne</translation>
-    </message>
-    <message>
-        <source>Remove rows</source>
-        <translation>Supprimer les lignes</translation>
-    </message>
-    <message>
-        <source>Take from a test…</source>
-        <translation>Reprendre d’un essai…</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n row(s) pasted</source>
-        <translation>
-            <numerusform>%n ligne collée</numerusform>
-            <numerusform>%n lignes collées</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Nothing was checked beside the tests yet. Type into the empty row, or paste a table with number, object, tolerance, measured value, U and unit.</source>
-        <translation>Rien n’a encore été contrôlé en plus des essais. Saisir dans la ligne vide, ou coller un tableau avec numéro, objet, tolérance, valeur mesurée, U et unité.</translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::ComparisonPage</name>
-    <message>
-        <source>Another file…</source>
-        <translation>Un autre fichier…</translation>
-    </message>
-    <message>
-        <source>Agreed tolerance, %1</source>
-        <translation>Tolérance convenue, %1</translation>
-    </message>
-    <message>
-        <source>%1 has no test like this one</source>
-        <translation>%1 n’a pas d’essai comparable à celui-ci</translation>
-    </message>
-    <message>
-        <source>A comparison needs the same axis or plane, directions and radius.</source>
-        <translation>Une comparaison demande le même axe ou plan, les mêmes sens et le même rayon.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be opened</source>
-        <translation>%1 ne peut pas être ouvert</translation>
-    </message>
-    <message>
-        <source>Compare with the test of a file</source>
-        <translation>Comparer à l’essai d’un fichier</translation>
-    </message>
-    <message>
-        <source>Tests and measurements (%1)</source>
-        <translation>Essais et mesures (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Choose the test to compare with: of this file, such as the one as found or that before a repair, or of another file. The report then has a page of the comparison.</source>
-        <translation>Choisissez l’essai de comparaison&#xa0;: un essai de ce fichier, comme l’état initial ou l’essai avant réparation, ou celui d’un autre fichier. Le rapport a alors une page de comparaison.</translation>
-    </message>
-    <message>
-        <source>A test of another file is not part of the report.</source>
-        <translation>L’essai d’un autre fichier n’entre pas dans le rapport.</translation>
-    </message>
-    <message>
-        <source>Compared with</source>
-        <translation>Comparé à</translation>
-    </message>
-    <message>
-        <source>before − after</source>
-        <translation>avant − après</translation>
-    </message>
-    <message>
-        <source>set-up untouched</source>
-        <translation>montage inchangé</translation>
-    </message>
-    <message>
-        <source>The instrument stood as it had been aligned for the other test: its misalignment is shared</source>
-        <translation>L’instrument est resté tel qu’aligné pour l’autre essai&#xa0;: son défaut d’alignement est commun</translation>
-    </message>
-    <message>
-        <source>Up to this a change is of no consequence; empty: none was agreed</source>
-        <translation>Jusqu’à cette valeur un changement est sans conséquence&#x202f;; vide&#xa0;: aucune convenue</translation>
-    </message>
-    <message>
-        <source>Copy the table for a spreadsheet</source>
-        <translation>Copier le tableau pour un tableur</translation>
-    </message>
-    <message>
-        <source>no test</source>
-        <comment>to compare with</comment>
-        <translation>aucun essai</translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::ComparisonSide</name>
-    <message>
-        <source>Both tests</source>
-        <translation>Les deux essais</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n common target(s)</source>
-        <translation>
-            <numerusform>%n point commun</numerusform>
-            <numerusform>%n points communs</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Uncertainty of the difference</source>
-        <translation>Incertitude de la différence</translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::SearchBox</name>
-    <message numerus="yes">
-        <source>%n answer(s)</source>
-        <translation>
-            <numerusform>%n réponse</numerusform>
-            <numerusform>%n réponses</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>search: %n answer(s)</source>
-        <translation>
-            <numerusform>recherche : %n réponse</numerusform>
-            <numerusform>recherche : %n réponses</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Settings and commands</source>
-        <translation>Réglages et commandes</translation>
-    </message>
-    <message>
-        <source>Search (Ctrl+F)</source>
-        <translation>Chercher (Ctrl+F)</translation>
-    </message>
-    <message>
-        <source>Search fields, results, findings and settings</source>
-        <translation>Chercher dans les champs, résultats, constats et réglages</translation>
-    </message>
-    <message>
-        <source>↑↓ choose · Enter go there · Ctrl+Enter without closing · Esc close</source>
-        <translation>↑↓ choisir · Entrée y aller · Ctrl+Entrée sans fermer · Échap fermer</translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::ThermalPage</name>
-    <message>
-        <source>No temperatures were recorded with the drift: no response can be told.</source>
-        <translation>Aucune température n’a été relevée avec la dérive&#xa0;: aucune réponse ne peut être déterminée.</translation>
-    </message>
-    <message>
-        <source>Take %1 into the budget</source>
-        <translation>Prendre %1 dans le budget</translation>
-    </message>
-    <message>
-        <source>Channel</source>
-        <translation>Voie</translation>
-    </message>
-    <message>
-        <source>serves</source>
-        <translation>sert à</translation>
-    </message>
-    <message>
-        <source>The test that takes E_VE from here</source>
-        <translation>L’essai qui prend l’E_VE d’ici</translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::TypeDialog</name>
-    <message>
-        <source>Type test of %1</source>
-        <translation>Essai de type de %1</translation>
-    </message>
-    <message>
-        <source>Axis and parameter</source>
-        <translation>Axe et grandeur</translation>
-    </message>
-    <message>
-        <source>Values of the machines</source>
-        <translation>Valeurs des machines</translation>
-    </message>
-    <message>
-        <source>&amp;Axis and parameter</source>
-        <translation>&amp;Axe et grandeur</translation>
-    </message>
-    <message>
-        <source>&amp;Save PDF…</source>
-        <translation>&amp;Enregistrer le PDF…</translation>
-    </message>
-    <message>
-        <source>Save the type test</source>
-        <translation>Enregistrer l’essai de type</translation>
-    </message>
-    <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>Documents PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>The type test was not saved</source>
-        <translation>L’essai de type n’a pas été enregistré</translation>
     </message>
 </context>
 </TS>

@@ -11,7 +11,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int chipHeight = 22;
+constexpr int chipHeight = 24;
 constexpr int chipMarkWidth = 22;
 constexpr int margin = 9;
 constexpr int arrowWidth = 14;

@@ -90,7 +90,7 @@ void drawPiece(QPainter &painter, QPointF baseline, const FormulaPiece &piece) {
     const QFontMetricsF metrics(piece.font);
     const bool capital = piece.text.at(0).isUpper();
     const double top = capital ? metrics.capHeight() : metrics.xHeight();
-    const double gap = metrics.xHeight() * 0.28;
+    const double gap = metrics.xHeight() * 0.2; // in rows of 20 px the bar stays clear of the rule
     const double y = at.y() - top - gap;
     painter.fillRect(
         QRectF(at.x() + piece.width * 0.12, y, piece.width * 0.76, qMax(1.0, metrics.lineWidth())),

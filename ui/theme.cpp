@@ -187,13 +187,13 @@ QPushButton[link="true"][opens="true"]:focus { padding: 0 17px 0 3px; }
 QToolButton { background: transparent; color: @text; border: 1px solid transparent; border-radius: 4px;
     min-height: 26px; padding: 0 7px; icon-size: 16px; }
 QToolButton[iconOnly="true"] { padding: 0 5px; min-width: 16px; }
-QToolButton[tight="true"] { padding: 0 1px; }
+QToolButton[tight="true"] { padding: 0 3px; }
 QToolButton:hover { background: @hover; }
 QToolButton:pressed, QToolButton:checked { background: @selected; border-color: @accent; }
 QToolButton:disabled { color: @disabled; }
 QToolButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 6px; }
 QToolButton[iconOnly="true"]:focus { padding: 0 4px; }
-QToolButton[tight="true"]:focus { padding: 0; }
+QToolButton[tight="true"]:focus { padding: 0 2px; }
 QToolBar > QToolButton { padding: 0 @afterWord 0 12px; }
 QToolBar > QToolButton:focus { padding: 0 @afterFocusedWord 0 11px; }
 QToolBar > QToolButton[iconOnly="true"] { padding: 0 12px; }
@@ -207,8 +207,10 @@ QToolButton[segment="only"] { background: @base; border: 1px solid @field; paddi
 QToolButton[segment="first"] { border-top-left-radius: 4px; border-bottom-left-radius: 4px; }
 QToolButton[segment="middle"], QToolButton[segment="last"] { margin-left: -1px; }
 QToolButton[segment="last"] { border-top-right-radius: 4px; border-bottom-right-radius: 4px; }
+QToolButton[segment][narrow="true"] { padding: 0 5px; }
 QToolButton[segment]:checked { background: @selected; border-color: @accent; }
 QToolButton[segment]:focus { border: 2px solid @accent; padding: 0 8px; min-height: 22px; }
+QToolButton[segment][narrow="true"]:focus { padding: 0 4px; }
 QLineEdit, QAbstractSpinBox, QComboBox, QPlainTextEdit { background: @base; color: @text; border: 1px solid @field;
     border-radius: 3px; selection-background-color: @accent; selection-color: @onAccent; }
 QLineEdit, QAbstractSpinBox, QComboBox { min-height: 26px; padding: 0 8px; }

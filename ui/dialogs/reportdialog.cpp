@@ -375,6 +375,7 @@ void ReportDialog::take(Composed composed) {
     m_evaluated = std::move(composed.evaluated);
     m_reports = std::move(composed.reports);
     showPages(std::move(composed.pages));
+    goToAnchor();
     showDocument(); // and composes again if other results have come
     if (composed.refused)
         m_summary->setText(windowLanguage().sentence(*composed.refused));
@@ -387,9 +388,7 @@ void ReportDialog::showEvaluated(EvaluatedDocument evaluated) {
         m_simulated = m_evaluated.document;
         m_simulator.startMissing(m_evaluated);
     }
-    int missing = 0;
-    for (const TestEvaluationPointer &test : m_evaluated.tests)
-        missing += static_cast<int>(std::ranges::count_if(test->findings, &Finding::missing));
+    const int missing = countMissing(m_evaluated);
     m_missing->setVisible(missing > 0);
     m_missing->setText(
         withGroups(tr("%n required statement(s) missing; printed as “–”", nullptr, missing), missing));
@@ -469,6 +468,18 @@ void ReportDialog::goTo(int page) {
     const int inside = std::clamp(page, 0, std::max(0, pageCount() - 1));
     if (pageCount() > 0)
         m_area->verticalScrollBar()->setValue(m_column->pageRect(inside).top() - 8);
+}
+
+void ReportDialog::goToAnchor() {
+    const QString anchor = std::exchange(m_anchor, QString());
+    for (std::size_t page = 0; page < m_pages.size() && !anchor.isEmpty(); ++page) {
+        const auto &marks = m_pages[page].bookmarks;
+        const auto found = std::ranges::find(marks, anchor, &Bookmark::anchor);
+        if (found == marks.end())
+            continue;
+        const double top = m_column->pageRect(static_cast<int>(page)).top() + found->y * m_column->scale();
+        return m_area->verticalScrollBar()->setValue(static_cast<int>(top) - 8);
+    }
 }
 
 void ReportDialog::followScroll() {

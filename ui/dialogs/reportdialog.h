@@ -33,6 +33,9 @@ class ReportDialog : public Translated<QDialog> {
 public:
     ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *parent = nullptr);
 
+    /// Shows the part with that anchor once its page is composed; the first page if there is none.
+    void beginAt(const QString &anchor) { m_anchor = anchor; }
+
     /// Writes a PDF, or NAME.fr.pdf and NAME.en.pdf for two languages; requires composed pages. Emits
     /// saved() at the end; on failure shows a message first.
     void saveTo(const QString &path);
@@ -103,6 +106,7 @@ private:
     void showProgress();
     void change(const std::function<void(ReportHead &)> &change);
     void goTo(int page);
+    void goToAnchor();
     void followScroll();
     void setScale(double scale);
     void fitWidth();
@@ -125,6 +129,7 @@ private:
     std::vector<Report> m_reports;
     Pages m_pages;
     bool m_fit = true;
+    QString m_anchor; ///< still to be shown
 
     QLabel *m_title = nullptr;
     QLabel *m_summary = nullptr;

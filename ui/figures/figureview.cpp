@@ -25,13 +25,19 @@
 #include "ui/theme.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
+#include <QDrag>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QMouseEvent>
+#include <QRegularExpression>
 #include <QToolButton>
+#include <QUrl>
 #include <algorithm>
 #include <array>
 
@@ -76,9 +82,16 @@ QString labelOf(const PositioningMeasurement &measurement, const ReadingPlace &p
 QString labelOf(const DriftMeasurement &drift, const ReadingPlace &place, const Language &language) {
     if (place.target >= drift.times.size())
         return {};
-    const std::optional<double> value = mainChannel(drift).values.at(place.target);
+    constexpr std::size_t sample = 1000; // readings that show how many decimals were taken
+    constexpr int mostDecimals = 4;
+    const auto &values = mainChannel(drift).values;
+    const Quantity quantity = deviationQuantity(drift.axis);
+    int decimals = 0;
+    for (std::size_t i = 0; i < std::min(values.size(), sample); ++i)
+        decimals = std::max(decimals, values[i] ? decimalsOf(*values[i], quantity) : 0);
+    const std::optional<double> value = values.at(place.target);
     return language.quantity(drift.times[place.target], Quantity::time) + QStringLiteral(" · ") +
-           (value ? language.quantity(*value, deviationQuantity(drift.axis)) : QString());
+           (value ? language.quantity(*value, quantity, std::min(decimals, mostDecimals)) : QString());
 }
 
 QString labelOf(const auto & /*measurement*/, const ReadingPlace & /*place*/, const Language & /*language*/) {
@@ -143,6 +156,9 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
         2, {m_title, Placed::gap(8), {m_note, 1}, m_marks, m_zoom, m_copy, m_save, m_detach, m_maximise});
     inColumn(this, {pageMargin, 2, 6, 2}, 2, {head, {m_canvas, 1}, {m_circles, 1}});
     m_circles->hide();
+    for (QWidget *handle : std::initializer_list<QWidget *>{m_title, m_copy})
+        handle->installEventFilter(this);
+    m_title->setCursor(Qt::OpenHandCursor);
     setContextMenuPolicy(Qt::ActionsContextMenu);
     for (QToolButton *button : {m_copy, m_save, m_detach, m_maximise}) {
         auto *action = new QAction(button->icon(), {}, button);
@@ -426,16 +442,54 @@ void FigureView::showHoverLabel() {
     m_canvas->setHoverLabel(label);
 }
 
+QMimeData *FigureView::formatsOf(const Leaving &shown) const {
+    auto *mime = new QMimeData;
+    mime->setData(QStringLiteral("image/svg+xml"), figureAsSvg(shown.figure, shown.title, m_language));
+    mime->setData(QStringLiteral("application/pdf"), figureAsPdf(shown.figure, shown.title));
+    mime->setImageData(QImage::fromData(figureAsPng(shown.figure, clipboardDotsPerInch)));
+    return mime;
+}
+
 void FigureView::copy() {
     const auto shown = leaving();
     if (!shown)
         return;
-    auto *mime = new QMimeData;
-    mime->setData(QStringLiteral("image/svg+xml"), figureAsSvg(shown->figure, shown->title, m_language));
-    mime->setData(QStringLiteral("application/pdf"), figureAsPdf(shown->figure, shown->title));
-    mime->setImageData(QImage::fromData(figureAsPng(shown->figure, clipboardDotsPerInch)));
-    QGuiApplication::clipboard()->setMimeData(mime);
+    QGuiApplication::clipboard()->setMimeData(formatsOf(*shown));
     emit said(tr("Figure copied"));
+}
+
+QMimeData *FigureView::dragged() {
+    const auto shown = leaving();
+    if (!shown)
+        return nullptr;
+    QMimeData *mime = formatsOf(*shown);
+    m_dragFolder = std::make_unique<QTemporaryDir>();
+    QString name = shown->title;
+    name.replace(
+        QRegularExpression(QStringLiteral("[^\\w .,()-]"), QRegularExpression::UseUnicodePropertiesOption),
+        QStringLiteral("_"));
+    QFile file(m_dragFolder->filePath(name + QStringLiteral(".svg")));
+    if (file.open(QIODevice::WriteOnly) && file.write(mime->data(QStringLiteral("image/svg+xml"))) > 0)
+        mime->setUrls({QUrl::fromLocalFile(file.fileName())});
+    return mime;
+}
+
+bool FigureView::eventFilter(QObject *watched, QEvent *event) {
+    const auto *mouse = dynamic_cast<const QMouseEvent *>(event);
+    if (mouse && mouse->type() == QEvent::MouseButtonPress)
+        m_pressed = mouse->globalPosition().toPoint();
+    const bool begins = mouse && mouse->type() == QEvent::MouseMove && (mouse->buttons() & Qt::LeftButton) &&
+                        (mouse->globalPosition().toPoint() - m_pressed).manhattanLength() >=
+                            QApplication::startDragDistance();
+    if (QMimeData *mime = begins ? dragged() : nullptr) {
+        m_copy->setDown(false);
+        auto *drag = new QDrag(this);
+        drag->setMimeData(mime);
+        drag->setPixmap(m_copy->icon().pixmap(32));
+        drag->exec(Qt::CopyAction);
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 bool FigureView::saveTo(const QString &path) {
@@ -490,8 +544,11 @@ void FigureView::retranslate() {
     nameWidget(*m_detach, tr("Open the figure in a window of its own"));
     nameWidget(*m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
     m_canvas->setToolTip({});
-    for (QAction *action : actions())
-        action->setText(qobject_cast<QToolButton *>(action->parent())->accessibleName());
+    m_title->setToolTip(tr("Drag the figure from here into another program"));
+    for (QAction *action : actions()) {
+        if (const auto *button = qobject_cast<QToolButton *>(action->parent()))
+            action->setText(button->accessibleName());
+    }
     refresh();
 }
 

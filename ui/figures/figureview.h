@@ -11,6 +11,7 @@
 #include "ui/qtforward.h"
 #include "ui/translated.h"
 
+#include <QTemporaryDir>
 #include <QWidget>
 #include <array>
 #include <memory>
@@ -48,6 +49,9 @@ public:
     void standAlone();
     /// Copies the figure to the clipboard, as vectors (SVG, PDF) and as a bitmap.
     void copy();
+    /// The figure for another program as SVG, PDF and PNG, and for a folder as a file that stays while the
+    /// window is open; null without a figure.
+    [[nodiscard]] QMimeData *dragged();
     /// Writes the figure in the format of the suffix (pdf, svg, png). False on failure.
     bool saveTo(const QString &path);
 
@@ -60,6 +64,8 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
+    /// Title and copy button are where the figure is dragged out, as the canvas pans.
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     struct Leaving {
@@ -93,6 +99,7 @@ private:
     [[nodiscard]] std::optional<std::array<Interval, 2>> zoomedRanges() const;
     /// The current figure on paper, to be copied or saved.
     [[nodiscard]] std::optional<Leaving> leaving() const;
+    [[nodiscard]] QMimeData *formatsOf(const Leaving &shown) const;
     void showRanges(const Interval &x, const Interval &y);
     void mark();
     void showHoverLabel();
@@ -118,8 +125,10 @@ private:
     QToolButton *m_save;
     QToolButton *m_detach;
     QToolButton *m_maximise;
-    Background m_making;  ///< makes the figure of a large test
-    Background m_zooming; ///< makes the part of it in the zoomed ranges
+    QPoint m_pressed;                            ///< where a drag may begin
+    std::unique_ptr<QTemporaryDir> m_dragFolder; ///< of the file that was dragged out
+    Background m_making;                         ///< makes the figure of a large test
+    Background m_zooming;                        ///< makes the part of it in the zoomed ranges
 };
 
 } // namespace palmer::ui

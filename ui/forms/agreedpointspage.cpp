@@ -6,10 +6,10 @@
 #include "document/edits.h"
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/measurement/testfacts.h"
+#include "language/decimals.h"
 #include "language/entry.h"
 #include "report/words/agreedtext.h"
 #include "ui/chip.h"
-#include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/forms/agreedvalue.h"
 #include "ui/forms/form.h"
@@ -36,6 +36,7 @@ namespace {
 
 constexpr int letterWidth = 26;
 constexpr int valueWidth = 132;
+constexpr int headHeight = 30; ///< a row is 70 px high: its head, a field and the gaps
 
 constexpr const char *agreedPointsContext = "palmer::ui::AgreedPointsPage";
 
@@ -125,7 +126,7 @@ void AgreedPointsPage::addRow(const AgreementPoint &point, const Test &test) {
     Row row{&point,
             area,
             new Chip(area),
-            new ElidedLabel(area),
+            new QLabel(area),
             new QToolButton(area),
             new QToolButton(area),
             new QToolButton(area),
@@ -152,13 +153,16 @@ void AgreedPointsPage::addRow(const AgreementPoint &point, const Test &test) {
     connect(row.take, &QPushButton::clicked, this, [this, &point] { copyFromConditions(point); });
     row.text->setFixedHeight(fieldHeight);
     row.text->setObjectName(QStringLiteral("field.agreedPoints.") + QString::fromLatin1(point.point));
-    auto *head = inRow(8, {row.letter, {row.name, 1}, row.take});
-    auto *text = inRow(nullptr, {letterWidth + 8, 0, 0, 0}, 8, {{row.text, 1}});
+    row.name->setWordWrap(true);
+    row.name->setFixedHeight(headHeight);
+    row.name->setAlignment(Qt::AlignVCenter);
+    auto *head = inRow(8, {row.letter, {row.name, 1}, makeStates(row)});
+    auto *text = inRow(nullptr, {letterWidth + 8, 0, 0, 0}, 8, {{row.text, 1}, row.take});
     if (const auto quantity = agreedQuantity(point.point, test)) {
         row.value = makeValue(point, *quantity, area);
         text->addWidget(row.value);
     }
-    inColumn(area, {0, 4, 0, 4}, 4, {head, makeStates(row), text, row.refusal});
+    inColumn(area, {0, 2, 0, 2}, 4, {head, text, row.refusal});
     m_body->addWidget(area);
     m_rows.push_back(row);
 }
@@ -171,9 +175,10 @@ QHBoxLayout *AgreedPointsPage::makeStates(const Row &row) {
     const std::array buttons{row.agreed, row.notAgreed, row.notApplicable, row.notDeclared};
     constexpr auto states = std::to_array<std::optional<AgreementState>>(
         {AgreementState::agreed, AgreementState::notAgreed, AgreementState::notApplicable, std::nullopt});
-    auto *body = inRow(nullptr, {letterWidth + 8, 0, 0, 0}, 0, {});
+    auto *body = inRow(nullptr, noMargins, 0, {});
     for (std::size_t k = 0; k < std::size(buttons); ++k) {
         buttons[k]->setProperty("segment", places[k]);
+        buttons[k]->setProperty("narrow", true);
         buttons[k]->setCheckable(true);
         buttons[k]->setFocusPolicy(Qt::StrongFocus);
         buttons[k]->setObjectName(QStringLiteral("state%1.").arg(k) + QString::fromLatin1(point.point));
@@ -181,7 +186,6 @@ QHBoxLayout *AgreedPointsPage::makeStates(const Row &row) {
                 [this, &point, state = states[k]] { setState(point, state); });
         body->addWidget(buttons[k]);
     }
-    body->addStretch();
     return body;
 }
 
@@ -195,7 +199,7 @@ Field *AgreedPointsPage::makeValue(const AgreementPoint &point, Quantity quantit
         const NumberEntry entry = enteredNumber(typed, quantity, m_language.units());
         if (entry.refusal)
             return {{}, m_language.text(*entry.refusal)};
-        return {entry.value ? m_language.number(*entry.value, quantity) : QString(), {}};
+        return {entry.value ? m_language.number(certain(*entry.value), quantity) : QString(), {}};
     });
     connect(field, &Field::begun, this, [this] { ++m_visit; });
     connect(field, &Field::entered, this, [this, field, quantity, name = point.point] {
@@ -319,6 +323,9 @@ void AgreedPointsPage::refreshRow(const Row &row, const Test &test, const Agreed
     row.letter->setFixedWidth(letterWidth);
     const QString name = capitalised(m_language.text(row.point->name));
     row.name->setText(name);
+    row.name->setFont(themeFont(TextSize::small));
+    for (QToolButton *button : {row.agreed, row.notAgreed, row.notApplicable, row.notDeclared})
+        button->setFont(themeFont(TextSize::small));
     row.agreed->setText(tr("Agreed"));
     row.notAgreed->setText(tr("Not agreed"));
     row.notApplicable->setText(tr("Not applicable"));

@@ -7,7 +7,10 @@
 #include "ui/forms/templatebutton.h"
 #include "ui/model/documentmodel.h"
 
+#include <QCompleter>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QStringListModel>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -48,6 +51,24 @@ Member<std::string> idOf(std::size_t index) {
     return member;
 }
 
+/// Offers these texts below the field while one is typed.
+void completeFrom(Field &field, QStringList texts) {
+    auto *line = qobject_cast<QLineEdit *>(field.edit());
+    texts.removeAll(QString());
+    texts.removeDuplicates();
+    auto *completer = line->completer();
+    if (!completer) {
+        completer = new QCompleter(line);
+        completer->setModel(new QStringListModel(completer));
+        completer->setCaseSensitivity(Qt::CaseInsensitive);
+        completer->setFilterMode(Qt::MatchContains);
+        line->setCompleter(completer);
+        QObject::connect(completer, qOverload<const QString &>(&QCompleter::activated), line,
+                         [line](const QString &text) { emit line->textEdited(text); });
+    }
+    static_cast<QStringListModel *>(completer->model())->setStringList(texts);
+}
+
 } // namespace
 
 InstrumentsPage::InstrumentsPage(DocumentModel &model, Selection &selection, QWidget *parent)
@@ -77,6 +98,7 @@ void InstrumentsPage::prepare() {
     m_resolutions = std::move(resolutions);
     clear();
     m_descriptions.clear();
+    m_traces.clear();
     for (std::size_t k = 0; k < std::max<std::size_t>(1, count); ++k)
         addFields(k);
     beginRow();
@@ -124,17 +146,52 @@ void InstrumentsPage::addFields(std::size_t k) {
     addText("certificate", ofInstrument<&Instrument::certificate>(k));
     addText("calibratedBy", ofInstrument<&Instrument::calibratedBy>(k));
     beginRow();
-    addText({"", QT_TR_NOOP("Traceable to")},
-            ofInstrument<&Instrument::traceability, &Traceability::laboratory>(k));
-    addText({"", QT_TR_NOOP("Its accreditation")},
-            ofInstrument<&Instrument::traceability, &Traceability::accreditation>(k));
-    addText({"", QT_TR_NOOP("Its certificate")},
-            ofInstrument<&Instrument::traceability, &Traceability::certificate>(k));
+    Field *laboratory = addText({"", QT_TR_NOOP("Traceable to")},
+                                ofInstrument<&Instrument::traceability, &Traceability::laboratory>(k), 2);
+    Field *accreditation =
+        addText({"", QT_TR_NOOP("Its accreditation")},
+                ofInstrument<&Instrument::traceability, &Traceability::accreditation>(k), 2);
+    beginRow();
+    m_traces.push_back({laboratory, accreditation,
+                        addText({"", QT_TR_NOOP("Its certificate")},
+                                ofInstrument<&Instrument::traceability, &Traceability::certificate>(k))});
     beginRow();
     addDate("calibrationDate", ofInstrument<&Instrument::calibrationDate>(k));
     addDate("calibrationDue", ofInstrument<&Instrument::calibrationDue>(k));
     addNumber({"", QT_TR_NOOP("Resolution")}, m_resolutions[k], ofInstrument<&Instrument::resolution>(k), 1,
               Allowed::notNegative);
+}
+
+/// An empty field says what holds in its place; one that is typed offers what the other instruments state.
+void InstrumentsPage::refreshOthers() {
+    const auto &instruments = evaluated().document->instruments;
+    QStringList laboratories;
+    QStringList accreditations;
+    for (const Instrument &instrument : instruments) {
+        for (const std::string &name : {instrument.traceability.laboratory, instrument.calibratedBy})
+            laboratories << QString::fromStdString(name);
+        accreditations << QString::fromStdString(instrument.traceability.accreditation);
+    }
+    for (std::size_t k = 0; k < std::min(m_traces.size(), instruments.size()); ++k) {
+        const auto &[laboratory, accreditation, certificate] = m_traces[k];
+        const Instrument &instrument = instruments[k];
+        laboratory->setPlaceholder(QString::fromStdString(instrument.calibratedBy));
+        certificate->setPlaceholder(QString::fromStdString(instrument.certificate));
+        const std::string &calibratedBy = instrument.traceability.laboratory.empty()
+                                              ? instrument.calibratedBy
+                                              : instrument.traceability.laboratory;
+        // Another instrument of the same laboratory tells its accreditation: to be chosen, not typed again.
+        QStringList offered;
+        for (const Instrument &other : instruments) {
+            const Traceability &trace = other.traceability;
+            const bool same =
+                (trace.laboratory.empty() ? other.calibratedBy : trace.laboratory) == calibratedBy;
+            if (same && !trace.accreditation.empty())
+                offered << QString::fromStdString(trace.accreditation);
+        }
+        completeFrom(*laboratory, laboratories);
+        completeFrom(*accreditation, offered.isEmpty() ? accreditations : offered);
+    }
 }
 
 namespace {

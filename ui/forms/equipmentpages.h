@@ -4,6 +4,8 @@
 
 #include "ui/forms/form.h"
 
+#include <array>
+
 namespace palmer::ui {
 
 /// The measuring instruments of the file and their traceability.
@@ -15,6 +17,7 @@ public:
 
 protected:
     void prepare() override;
+    void refreshOthers() override;
 
 private:
     void addFields(std::size_t k);
@@ -24,6 +27,8 @@ private:
     QString m_built;                     ///< the instruments the fields were built for
     std::vector<Quantity> m_resolutions; ///< per instrument: a length or an angle
     std::vector<Field *> m_descriptions; ///< the first field per instrument
+    /// Per instrument: laboratory, accreditation and certificate of its calibration.
+    std::vector<std::array<Field *, 3>> m_traces;
 };
 
 /// The machine under test.

@@ -382,7 +382,9 @@ void Field::placeParts() {
     m_bar->setVisible(m_required);
     // If label and word do not fit side by side, only the dot is shown; bar and placeholder say the same.
     const QString dot = m_required ? QStringLiteral("●") : QStringLiteral("○");
-    const QString meaning = m_required ? tr("required") : tr("usual");
+    const QString meaning = !m_required        ? tr("usual")
+                            : text().isEmpty() ? tr("required")
+                                               : tr("incomplete"); // a feed without its kind
     const QString mark = dot + u' ' + meaning;
     const int needed = m_label->fontMetrics().horizontalAdvance(m_label->text()) +
                        m_mark->fontMetrics().horizontalAdvance(mark) + margin;
@@ -431,7 +433,7 @@ QString Field::description() const {
     if (isRefused())
         return m_reason->text();
     if (m_required)
-        return tr("required, not stated");
+        return text().isEmpty() ? tr("required, not stated") : tr("incomplete");
     if (m_usual)
         return tr("usual in practice, not stated");
     if (m_answer && !text().isEmpty())

@@ -44,4 +44,20 @@ int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page
         }));
 }
 
+int countMissing(const EvaluatedDocument &evaluated) {
+    int missing = 0;
+    for (Page page = Page::identification; page <= Page::uncertainty;
+         page = static_cast<Page>(static_cast<int>(page) + 1)) {
+        int most = 0;
+        int sum = 0;
+        for (std::size_t test = 0; test < evaluated.tests.size(); ++test) {
+            const int here = countMissing(evaluated, test, page);
+            most = std::max(most, here);
+            sum += here;
+        }
+        missing += page < Page::readings ? most : sum;
+    }
+    return missing;
+}
+
 } // namespace palmer::ui

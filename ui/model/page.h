@@ -33,9 +33,12 @@ enum class Page {
 /// The field of a finding: the last part of its path, or the whole path of a point to be agreed.
 [[nodiscard]] QString fieldOf(const Finding &finding);
 
-/// Number of statements, declarations or points missing on a page, as counted by badges and visited by F8.
-/// Number of findings of a page that lack something required, or usual only.
+/// Number of findings of a page that lack something required, as counted by badges and visited by F8, or
+/// usual only.
 [[nodiscard]] int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page,
                                Lack lack = Lack::required);
+
+/// The same for the whole document: what all tests share counts once.
+[[nodiscard]] int countMissing(const EvaluatedDocument &evaluated);
 
 } // namespace palmer::ui

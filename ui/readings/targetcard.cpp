@@ -69,6 +69,11 @@ void TargetCard::setLanguage(const Language &language) {
     refresh();
 }
 
+void TargetCard::addStripActions(const QList<QAction *> &actions) {
+    m_strip->addActions(actions);
+    m_strip->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
 std::size_t TargetCard::count() const {
     const auto *m = measured<PositioningMeasurement>(m_evaluated, m_test);
     return m ? m->targets.size() : 0;

@@ -25,6 +25,8 @@ public:
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
+    /// For the context menu of the strip, whose readings are chosen in the table by a click.
+    void addStripActions(const QList<QAction *> &actions);
 
 private:
     void refresh();

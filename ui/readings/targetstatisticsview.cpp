@@ -76,7 +76,7 @@ void TargetStatisticsView::paintEvent(QPaintEvent *) {
     for (int r = 0; r < static_cast<int>(m_rows.size()); ++r) {
         const Row &row = m_rows[static_cast<std::size_t>(r)];
         const QColor text = palette().color(QPalette::Text);
-        drawFormula(painter, QRectF(2, (r + 1) * rowHeight, symbolWidth, rowHeight - 1), Qt::AlignLeft,
+        drawFormula(painter, QRectF(2, (r + 1) * rowHeight + 1, symbolWidth, rowHeight - 1), Qt::AlignLeft,
                     row.symbol, font(), text);
         painter.setFont(font());
         for (int k = 0; k < 3; ++k) {

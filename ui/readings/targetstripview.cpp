@@ -184,6 +184,12 @@ void TargetStripView::mouseMoveEvent(QMouseEvent *event) {
     m_selection.setHovered(nearest);
 }
 
+void TargetStripView::mousePressEvent(QMouseEvent *event) {
+    mouseMoveEvent(event);
+    if (m_selection.hovered())
+        m_selection.setReading(m_selection.hovered());
+}
+
 void TargetStripView::leaveEvent(QEvent *) {
     m_selection.setHovered({});
 }

@@ -64,6 +64,7 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
     beginResetModel();
     m_rows.clear();
     m_summary.clear();
+    m_lack.clear();
     if (test < evaluated.tests.size()) {
         const std::vector<Finding> &findings = evaluated.tests[test]->findings;
         addFindings(findings, *evaluated.document, page, language);
@@ -71,7 +72,7 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
             if (other != page)
                 addPage(findings, *evaluated.document, other);
         }
-        m_summary = summaryOf(findings);
+        summarise(findings);
     }
     endResetModel();
 }
@@ -116,21 +117,23 @@ void FindingsModel::addPage(const std::vector<Finding> &findings, const Document
     m_rows.push_back({worst, page, {}, line, {}});
 }
 
-QString FindingsModel::summaryOf(const std::vector<Finding> &findings) {
-    std::array<int, 3> counts{};
+/// What is missing, as the badges count it, and by grade what is wrong otherwise.
+void FindingsModel::summarise(const std::vector<Finding> &findings) {
+    int missing = 0;
+    std::array<int, 3> others{};
     for (const Finding &finding : findings)
-        ++counts.at(static_cast<std::size_t>(finding.grade));
+        ++(lackOf(finding) == Lack::required ? missing : others.at(static_cast<std::size_t>(finding.grade)));
     QStringList parts;
-    const RequirementCounts asked = countRequirements(findings); // as counted for the verdict
-    if (asked.unmet > 0)
-        parts << tr("%n requirement(s) not met", nullptr, asked.unmet);
-    if (asked.undeclared > 0)
-        parts << tr("%n not declared", nullptr, asked.undeclared);
-    if (counts[1] > 0)
-        parts << tr("%n recommendation(s)", nullptr, counts[1]);
-    if (counts[2] > 0)
-        parts << tr("%n note(s)", nullptr, counts[2]);
-    return parts.isEmpty() ? tr("none") : parts.join(QStringLiteral(" · "));
+    if (missing > 0)
+        parts << tr("%n required statement(s) missing", nullptr, missing);
+    if (others[0] > 0)
+        parts << tr("%n requirement(s) not met", nullptr, others[0]);
+    if (others[1] > 0)
+        parts << tr("%n recommendation(s)", nullptr, others[1]);
+    m_lack = parts.join(QStringLiteral(" · "));
+    if (others[2] > 0)
+        parts << tr("%n note(s)", nullptr, others[2]);
+    m_summary = parts.isEmpty() ? tr("none") : parts.join(QStringLiteral(" · "));
 }
 
 QVariant FindingsModel::cell(const FindingRow &line, int, int role) const {

@@ -34,18 +34,21 @@ public:
     [[nodiscard]] const Line &line(int row) const { return this->row(row); }
     /// "7 required missing · 1 warning · 2 notes".
     [[nodiscard]] QString summary() const { return m_summary; }
+    /// The same without notes; empty if there is nothing to do.
+    [[nodiscard]] QString lack() const { return m_lack; }
 
 protected:
     [[nodiscard]] QVariant cell(const FindingRow &line, int column, int role) const override;
 
 private:
     [[nodiscard]] static QString gradeWord(Grade grade);
-    [[nodiscard]] static QString summaryOf(const std::vector<Finding> &findings);
+    void summarise(const std::vector<Finding> &findings);
     void addFindings(const std::vector<Finding> &findings, const Document &document, Page page,
                      const Language &language);
     void addPage(const std::vector<Finding> &findings, const Document &document, Page page);
 
     QString m_summary;
+    QString m_lack;
 };
 
 } // namespace palmer::ui

@@ -29,6 +29,7 @@ public:
     void setPage(Page page);
     /// Folds or unfolds the list; the header stays.
     void setFolded(bool folded);
+    [[nodiscard]] QString lack() const { return m_model.lack(); }
     void setRows(int rows); ///< visible at once
     [[nodiscard]] bool isFolded() const { return m_folded; }
 

@@ -99,7 +99,8 @@ int widthOfResults(const ResultsModel &model, int column, const QFontMetrics &me
     for (int row = 0; row < model.rowCount(); ++row) {
         const QString text = model.index(row, column).data().toString();
         const int mark = ResultsModel::column(column).look == ResultLook::verdict && !text.isEmpty() ? 16 : 0;
-        width = std::max(width, metrics.horizontalAdvance(text) + mark);
+        const int after = ResultsModel::isNumber(column) ? model.roomAfter(text, column, metrics) : 0;
+        width = std::max(width, metrics.horizontalAdvance(text) + mark + after);
     }
     return width;
 }
@@ -277,12 +278,7 @@ void ResultsPanel::showVerdict() {
     m_chip->setVisible(table.provisional || m_chip->text() != limits.word); // not the same word twice
     m_limits->setContent(limits.word, limits.icon, limits.colour, groundOf(limits.colour));
     const VerdictMark edition = accordanceMark(accordance);
-    const RequirementCounts counts = countRequirements(evaluation.findings);
-    const QString said = accordance == Accordance::no ? tr("%n requirement(s) not met", nullptr, counts.unmet)
-                         : accordance == Accordance::notShown
-                             ? tr("%n requirement(s) not declared", nullptr, counts.undeclared)
-                             : edition.word;
-    m_accordance->setContent(said, edition.icon, edition.colour, groundOf(edition.colour));
+    m_accordance->setContent(edition.word, edition.icon, edition.colour, groundOf(edition.colour));
     const QString sentence = accordanceText(test, evaluation, m_language, false);
     m_accordance->setToolTip(sentence);
     m_accordance->setAccessibleName(sentence);

@@ -105,6 +105,7 @@ WelcomePage::WelcomePage(QWidget *parent)
                                     StartButton::Picture::circle))
     , m_open(made<StartButton>("welcomeOpen", QStringLiteral("open"), m_body))
     , m_import(made<StartButton>("welcomeImport", QStringLiteral("imp"), m_body))
+    , m_plan(made<StartButton>("welcomePlan", QStringLiteral("plan"), m_body))
     , m_recentList(made<StartList>("recentList", m_recent, mostRecent, m_body))
     , m_examplesList(made<StartList>("examplesList", m_examples, m_body))
     , m_teachingList(made<StartList>("teachingList", m_teaching, m_body)) {
@@ -128,7 +129,8 @@ WelcomePage::WelcomePage(QWidget *parent)
     starts->addWidget(m_newCircle, 0, 1);
     starts->addWidget(m_open, 1, 0);
     starts->addWidget(m_import, 1, 1);
-    starts->addWidget(m_dropHint, 2, 0, 1, 2);
+    starts->addWidget(m_plan, 2, 0);
+    starts->addWidget(m_dropHint, 2, 1);
     starts->addWidget(makeCard(m_body, m_examplesTitle, m_examplesNote, {m_examplesList}), 3, 0, 1, 2);
     starts->addWidget(makeCard(m_body, m_teachingTitle, nullptr, {m_teachingList}), 4, 0, 1, 2);
     starts->setColumnStretch(0, 1);
@@ -162,13 +164,15 @@ WelcomePage::WelcomePage(QWidget *parent)
     setTabOrder(m_new, m_newCircle);
     setTabOrder(m_newCircle, m_open);
     setTabOrder(m_open, m_import);
-    setTabOrder(m_import, m_recentList);
+    setTabOrder(m_import, m_plan);
+    setTabOrder(m_plan, m_recentList);
     setTabOrder(m_recentList, m_examplesList);
     setTabOrder(m_examplesList, m_teachingList);
     connect(m_new, &QAbstractButton::clicked, this, &WelcomePage::newAsked);
     connect(m_newCircle, &QAbstractButton::clicked, this, &WelcomePage::newCircleAsked);
     connect(m_open, &QAbstractButton::clicked, this, &WelcomePage::openAsked);
     connect(m_import, &QAbstractButton::clicked, this, &WelcomePage::importAsked);
+    connect(m_plan, &QAbstractButton::clicked, this, &WelcomePage::planAsked);
     connect(m_recentList, &StartList::chosen, this, &WelcomePage::fileChosen);
     connect(m_examplesList, &StartList::chosen, this, &WelcomePage::fileChosen);
     connect(m_teachingList, &StartList::chosen, this, &WelcomePage::fileChosen);
@@ -223,6 +227,8 @@ void WelcomePage::retranslate() {
                      QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText));
     m_import->setTexts(tr("&Import…"), tr("tables and files of instruments"),
                        QKeySequence(Qt::CTRL | Qt::Key_I).toString(QKeySequence::NativeText));
+    m_plan->setTexts(tr("P&lan of targets…"), tr("targets, part program, table to fill in"),
+                     QKeySequence(Qt::CTRL | Qt::Key_L).toString(QKeySequence::NativeText));
     m_dropHint->setText(
         tr("or drop files into the window — %1")
             .arg(QStringLiteral(".palmer, .pdf, .") + importEndings().join(QStringLiteral(", ."))));

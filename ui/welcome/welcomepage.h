@@ -27,6 +27,7 @@ signals:
     void newCircleAsked();
     void openAsked();
     void importAsked();
+    void planAsked();
     void fileChosen(const QString &path);
 
 protected:
@@ -53,6 +54,7 @@ private:
     StartButton *m_newCircle;
     StartButton *m_open;
     StartButton *m_import;
+    StartButton *m_plan;
     StartList *m_recentList;
     StartList *m_examplesList;
     StartList *m_teachingList;

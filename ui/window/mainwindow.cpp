@@ -6,6 +6,7 @@
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
+#include "ui/model/editname.h"
 #include "ui/sizeonscreen.h"
 
 #include "document/edits.h"
@@ -202,9 +203,10 @@ std::vector<SearchEntry> MainWindow::searchEntries() {
     const auto plain = [](QString text) { return text.remove(u'&').remove(u'…'); };
     const std::function<void(const QMenu &)> add = [&](const QMenu &menu) {
         for (QAction *action : menu.actions()) {
-            if (const QMenu *inner = action->menu())
-                add(*inner);
-            else if (action->isEnabled() && !action->isSeparator())
+            if (const QMenu *inner = action->menu()) {
+                if (inner != this->menu(WindowMenu::history)) // its steps are of the time when it was open
+                    add(*inner);
+            } else if (action->isEnabled() && !action->isSeparator())
                 entries.push_back({SearchGroup::settings, plain(action->text()),
                                    action->shortcut().toString(QKeySequence::NativeText), plain(menu.title()),
                                    [chosen = QPointer<QAction>(action)] {
@@ -236,7 +238,12 @@ void MainWindow::makeStatusBar() {
     m_state = made<QLabel>("statusState", TextSize::small, trait::secondary, this);
     m_content->setContentsMargins(14, 0, 8, 0);
     m_state->setContentsMargins(8, 0, 14, 0);
+    m_lack = made<QPushButton>("statusLack", trait::link, trait::notDefault, this);
+    m_lack->setFont(themeFont(TextSize::small));
+    m_lack->hide();
+    connect(m_lack, &QPushButton::clicked, this, [this] { workplace().showFindings(); });
     statusBar()->addWidget(m_content);
+    statusBar()->addWidget(m_lack);
     statusBar()->addWidget(m_hint, 1);
     m_work = new WorkBar(this);
     statusBar()->addPermanentWidget(m_state);
@@ -260,10 +267,12 @@ void MainWindow::connectParts() {
     connect(m_model.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::showState);
     connect(menu(WindowMenu::recent), &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
     connect(menu(WindowMenu::examples), &QMenu::aboutToShow, this, &MainWindow::fillExamplesMenu);
+    connect(menu(WindowMenu::history), &QMenu::aboutToShow, this, &MainWindow::fillHistoryMenu);
     connect(m_welcome, &WelcomePage::newAsked, action(WindowAction::newTest), &QAction::trigger);
     connect(m_welcome, &WelcomePage::newCircleAsked, action(WindowAction::newCircle), &QAction::trigger);
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
     connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
+    connect(m_welcome, &WelcomePage::planAsked, action(WindowAction::plan), &QAction::trigger);
     connect(m_welcome, &WelcomePage::fileChosen, this, [this](const QString &path) { openFile(path); });
     connect(&m_model, &DocumentModel::changed, this, [this] {
         m_evaluator.setDocument(m_model.document());
@@ -300,7 +309,8 @@ Workplace &MainWindow::workplace() {
     m_workplace->setTestActions(
         {action(WindowAction::addTest), action(WindowAction::addCircle), action(WindowAction::addDrift)},
         {action(WindowAction::renameTest), action(WindowAction::duplicateTest),
-         action(WindowAction::repeatTest), action(WindowAction::deleteTest)});
+         action(WindowAction::repeatTest), action(WindowAction::deleteTest)},
+        action(WindowAction::showInReport));
     connect(m_workplace, &Workplace::viewChosen, this, [this](std::size_t test, const QString &edition) {
         m_evaluator.setView(test, edition.toStdString());
     });
@@ -310,6 +320,10 @@ Workplace &MainWindow::workplace() {
     connect(m_workplace, &Workplace::editionSet, this, &MainWindow::setEdition);
     connect(m_workplace, &Workplace::contentChanged, m_content, &QLabel::setText);
     connect(m_workplace, &Workplace::hintChanged, m_hint, &QLabel::setText);
+    connect(m_workplace, &Workplace::lackChanged, this, [this](const QString &text) {
+        m_lack->setText(text);
+        m_lack->setVisible(m_open && !text.isEmpty());
+    });
     connect(&m_workplace->selection(), &Selection::testChanged, this, &MainWindow::showState);
     return *m_workplace;
 }
@@ -589,14 +603,24 @@ std::optional<Test> MainWindow::askForTest(Kind kind, bool ofThisFile) {
     return ask(NewTestDialog(windowLanguage(), like, this));
 }
 
-void MainWindow::newFile(Kind kind) {
-    const auto test = askForTest(kind, false);
-    if (!test)
-        return;
+namespace {
+
+/// A report in the language of the window.
+Document newDocument() {
     Document document;
     document.writtenBy = "Palmer " PALMER_VERSION;
     document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
                                                                                : ReportLanguage::en};
+    return document;
+}
+
+} // namespace
+
+void MainWindow::newFile(Kind kind) {
+    const auto test = askForTest(kind, false);
+    if (!test)
+        return;
+    Document document = newDocument();
     insertTest(document, 0, *test);
     adopt(std::move(document), {}, true)->workplace().beginTyping();
 }
@@ -634,29 +658,48 @@ void MainWindow::renameTest() {
     const Test *test = currentTest();
     if (!test)
         return;
-    auto *dialog = made<QInputDialog>("renameDialog", this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Rename the test"));
-    dialog->setLabelText(tr("Name of the test"));
-    dialog->setTextValue(QString::fromStdString(test->title));
-    connect(dialog, &QInputDialog::textValueSelected, this,
-            [this, index = testInView()](const QString &title) {
+    askName(tr("Rename the test"), QString::fromStdString(test->title),
+            [this, index = testInView()](const std::string &name) {
                 m_model.edit(QT_TRANSLATE_NOOP("edits", "rename the test"), [&](Document &document) {
-                    auto renamed = std::make_shared<Test>(*document.tests.at(index));
-                    renamed->title = title.trimmed().toStdString();
-                    document.tests[index] = std::move(renamed);
+                    editTest(document, index, [&](Test &renamed) { renamed.title = name; });
                 });
             });
+}
+
+/// Asks for the name of a test.
+void MainWindow::askName(const QString &title, const QString &name,
+                         const std::function<void(const std::string &)> &take) {
+    auto *dialog = made<QInputDialog>("renameDialog", this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    dialog->setLabelText(tr("Name of the test"));
+    dialog->setTextValue(name);
+    connect(dialog, &QInputDialog::textValueSelected, this,
+            [take](const QString &typed) { take(typed.trimmed().toStdString()); });
     dialog->open();
 }
 
-void MainWindow::duplicateTest(bool withReadings) {
+/// The copy gets a name of its own, as two tests of one name cannot be told apart.
+void MainWindow::duplicateTest() {
+    const Test *test = currentTest();
+    if (!test)
+        return;
+    askName(tr("Duplicate the test"), tr("%1 (copy)").arg(testName(*test)),
+            [this, index = testInView()](const std::string &name) {
+                m_model.edit(QT_TRANSLATE_NOOP("edits", "duplicate the test"), [&](Document &document) {
+                    const std::size_t copy = palmer::duplicateTest(document, index, true);
+                    editTest(document, copy, [&](Test &renamed) { renamed.title = name; });
+                });
+                workplace().showTest(index + 1);
+            });
+}
+
+void MainWindow::repeatTest() {
     if (!currentTest())
         return;
     const std::size_t test = testInView();
-    const char *name = withReadings ? QT_TRANSLATE_NOOP("edits", "duplicate the test")
-                                    : QT_TRANSLATE_NOOP("edits", "repeat the test");
-    m_model.edit(name, [&](Document &document) { palmer::duplicateTest(document, test, withReadings); });
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "repeat the test"),
+                 [&](Document &document) { palmer::duplicateTest(document, test, false); });
     workplace().showTest(test + 1);
 }
 
@@ -947,16 +990,37 @@ void MainWindow::step(bool forward) {
     // Typing that is not yet an undo step, as it was refused, is undone before earlier steps elsewhere.
     if (!forward && workplace().undoTyping())
         return;
+    goToStep(m_model.undoStack()->index() + (forward ? 1 : -1));
+}
+
+/// Undoes or redoes until so many steps are done.
+void MainWindow::goToStep(int index) {
     QUndoStack *stack = m_model.undoStack();
-    if (forward ? !stack->canRedo() : !stack->canUndo())
+    if (index < 0 || index > stack->count() || index == stack->index())
         return;
     const DocumentPointer before = m_model.document();
-    const QString name = forward ? stack->redoText() : stack->undoText();
-    if (forward)
-        stack->redo();
-    else
-        stack->undo();
+    const QString name = stack->text(index > stack->index() ? index - 1 : index);
+    stack->setIndex(index);
     workplace().showChange(*before, *m_model.document(), name);
+}
+
+/// The last steps, newest first; what is undone can be chosen too.
+void MainWindow::fillHistoryMenu() {
+    constexpr int most = 30;
+    QMenu *list = menu(WindowMenu::history);
+    list->clear();
+    const QUndoStack *stack = m_model.undoStack();
+    const int newest = m_open ? stack->count() : 0;
+    for (int index = newest; index >= std::max(0, newest - most); --index) {
+        QString name = index == 0 ? tr("As opened") : editName(stack->text(index - 1));
+        QAction *action = list->addAction(name.replace(u'&', QStringLiteral("&&")));
+        action->setCheckable(true);
+        action->setChecked(index == stack->index());
+        connect(action, &QAction::triggered, this, [this, index] {
+            commitTyping();
+            goToStep(index);
+        });
+    }
 }
 
 /// Closes all windows; if several have changes, asks once for all of them.
@@ -1046,6 +1110,7 @@ void MainWindow::showState() {
     enableActions();
     m_toolBar->setVisible(hasTools());
     m_content->setVisible(m_open);
+    m_lack->setVisible(m_open && !m_lack->text().isEmpty());
     m_hint->setVisible(m_open);
 
     const QString path = m_reading.isEmpty() ? m_importing : m_reading.constFirst();
@@ -1096,12 +1161,25 @@ void MainWindow::exportFigure() {
     askExportOfFigure(this, m_evaluator.current(), testInView());
 }
 
-void MainWindow::showReport() {
+void MainWindow::showReport(const QString &anchor) {
     ReportDialog dialog(m_model, m_evaluator, this);
+    dialog.beginAt(anchor);
     dialog.exec();
 }
 
+/// Without an open file, a plan by itself; a test made from it is a new file.
 void MainWindow::showPlan() {
+    if (!m_open) {
+        DocumentModel planned;
+        planned.setDocument(newDocument(), {}, true);
+        PlanDialog dialog(planned, 0, this);
+        bool isMade = false;
+        connect(&dialog, &PlanDialog::testMade, this, [&] { isMade = true; });
+        dialog.exec();
+        if (isMade)
+            adopt(*planned.document(), {}, true)->workplace().beginTyping();
+        return;
+    }
     PlanDialog dialog(m_model, testInView(), this);
     connect(&dialog, &PlanDialog::testMade, this, [this](std::size_t test) {
         workplace().showTest(test);

@@ -142,7 +142,10 @@ private:
     void addTest(Kind kind);
     void addDriftTest();
     void renameTest();
-    void duplicateTest(bool withReadings);
+    void duplicateTest();
+    void repeatTest();
+    void askName(const QString &title, const QString &name,
+                 const std::function<void(const std::string &)> &take);
     void deleteTest();
     [[nodiscard]] const Test *currentTest() const;
     [[nodiscard]] std::size_t testInView() const;
@@ -151,9 +154,11 @@ private:
     void showError(const QString &title, const QString &fileName, const Error &error);
     /// Undoes or redoes a step and brings its change into view.
     void step(bool forward);
+    void goToStep(int index);
     static void quit();
     void fillRecentMenu();
     void fillExamplesMenu();
+    void fillHistoryMenu();
     void showUndo();
     void enableActions();
     [[nodiscard]] bool hasTools() const; ///< true if there are tools to show and room for them
@@ -164,7 +169,8 @@ private:
     void showPageOf(Page page);
     void exportReadings();
     void exportFigure();
-    void showReport();
+    /// `anchor`: of the part to begin with; empty: the first page.
+    void showReport(const QString &anchor = {});
     void fillLikeLast();
     [[nodiscard]] std::vector<SearchEntry> searchEntries();
     void changeTextSize(int steps);
@@ -212,6 +218,7 @@ private:
     QToolBar *m_toolBar = nullptr;
     SearchBox *m_search = nullptr;
     QLabel *m_content = nullptr;
+    QPushButton *m_lack = nullptr; ///< what is missing; leads to the findings
     QLabel *m_hint = nullptr;
     QLabel *m_state = nullptr;
     std::array<QMenu *, windowMenus> m_menus{};

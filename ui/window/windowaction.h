@@ -7,7 +7,21 @@
 namespace palmer::ui {
 
 /// Menus of the window; `bar` holds the permanent ones.
-enum class WindowMenu { none, bar, file, recent, examples, exports, edit, test, view, units, tools, help };
+enum class WindowMenu {
+    none,
+    bar,
+    file,
+    recent,
+    examples,
+    exports,
+    edit,
+    history,
+    test,
+    view,
+    units,
+    tools,
+    help
+};
 inline constexpr std::size_t windowMenus = static_cast<std::size_t>(WindowMenu::help) + 1;
 
 /// Actions of the menus, described by the table in mainwindowactions.cpp. `afterReadings` and `afterCircles`
@@ -39,6 +53,7 @@ enum class WindowAction {
     repeatTest,
     fillLikeLast,
     deleteTest,
+    showInReport,
     afterReadings,
     afterCircles,
     previousTest,

@@ -358,11 +358,7 @@ void Workplace::connectParts() {
     });
     connect(m_right, &RightSide::turned, this, &Workplace::presentTurn);
     connect(m_figure, &FigureView::said, this, &Workplace::hintChanged);
-    connect(m_results, &ResultsPanel::findingsWanted, this, [this] {
-        m_findings->setFolded(false);
-        m_right->turnTo(m_findings);
-        mainPart(m_findings)->setFocus(Qt::OtherFocusReason);
-    });
+    connect(m_results, &ResultsPanel::findingsWanted, this, &Workplace::showFindings);
     connect(m_results, &ResultsPanel::said, this, &Workplace::hintChanged);
     connect(m_explanation, &ExplanationCard::said, this, &Workplace::hintChanged);
     connect(m_figure, &FigureView::detachWanted, this, &Workplace::detachFigure);
@@ -568,6 +564,7 @@ void Workplace::presentResults() {
         m_detachedFigure->show(m_evaluated, test);
     m_results->show(m_evaluated, test);
     m_findings->show(m_evaluated, test);
+    emit lackChanged(m_findings->lack());
 }
 
 std::vector<SearchEntry> Workplace::searchEntries() {
@@ -801,10 +798,28 @@ bool Workplace::showNextMissing(bool forward) {
     return true;
 }
 
-void Workplace::setTestActions(const QList<QAction *> &add, const QList<QAction *> &change) {
+void Workplace::setTestActions(const QList<QAction *> &add, const QList<QAction *> &change, QAction *report) {
     m_addTest->addActions(add);
     m_navigation->addActions(change);
+    for (QWidget *menu :
+         std::initializer_list<QWidget *>{m_navigation, m_figure, m_results->findChild<QAbstractItemView *>(),
+                                          m_findings->findChild<QAbstractItemView *>()})
+        menu->addAction(report);
     m_navigation->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_target->addStripActions(m_readings->editActions());
+}
+
+QString Workplace::anchorInReport() const {
+    const bool findings = m_findings->isAncestorOf(window()->focusWidget());
+    return (findings ? QStringLiteral("findings-%1") : QStringLiteral("test-%1")).arg(m_selection.test() + 1);
+}
+
+void Workplace::showFindings() {
+    if (isReportPage())
+        showPage(Page::readings);
+    m_findings->setFolded(false);
+    m_right->turnTo(m_findings);
+    mainPart(m_findings)->setFocus(Qt::OtherFocusReason);
 }
 
 void Workplace::beginTyping() {

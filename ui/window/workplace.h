@@ -76,7 +76,12 @@ public:
     void showChange(const Document &before, const Document &after, const QString &edit);
 
     /// Actions of the button "+ Test" and of a test's context menu in the navigation.
-    void setTestActions(const QList<QAction *> &add, const QList<QAction *> &change);
+    /// `report`: shows the test in the report, for the menus of figure, results and findings too.
+    void setTestActions(const QList<QAction *> &add, const QList<QAction *> &change, QAction *report);
+    /// The part of the report that shows what has the focus: the findings or the test.
+    [[nodiscard]] QString anchorInReport() const;
+    /// Brings the list of the findings into view and focuses it.
+    void showFindings();
 
     /// Focuses the first missing reading.
     void beginTyping();
@@ -96,6 +101,8 @@ signals:
     /// Status bar texts on the current test and on what the pointer is at.
     void contentChanged(const QString &text);
     void hintChanged(const QString &text);
+    /// What the test lacks, as counted by badges and findings; empty: nothing.
+    void lackChanged(const QString &text);
     void likeLastWanted();
 
 protected:

@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QUrl>
 #include <QWheelEvent>
 #include <algorithm>
 #include <array>
@@ -299,6 +300,22 @@ private slots:
         QVERIFY(copied->data(u"application/pdf"_s).startsWith("%PDF"));
         QVERIFY(copied->hasImage());
         QCOMPARE(qvariant_cast<QImage>(copied->imageData()).pixelColor(1, 1), QColor(Qt::white));
+    }
+
+    /// For programs as they like, for a folder as a file.
+    void isDraggedOut() {
+        Selection selection;
+        FigureView view(selection);
+        QVERIFY(!view.dragged());
+        view.show(evaluatedDocument(example1988("ISO 230-2:2006")), 0);
+        const std::unique_ptr<QMimeData> dragged(view.dragged());
+        QVERIFY(dragged->data(u"image/svg+xml"_s).contains("<svg"));
+        QVERIFY(dragged->data(u"application/pdf"_s).startsWith("%PDF"));
+        QVERIFY(dragged->hasImage());
+        QCOMPARE(dragged->urls().size(), 1);
+        QFile file(dragged->urls().constFirst().toLocalFile());
+        QVERIFY(file.fileName().endsWith(u".svg"_s) && file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), dragged->data(u"image/svg+xml"_s));
     }
 
     void savesByTheSuffix() {

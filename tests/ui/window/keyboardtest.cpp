@@ -554,7 +554,13 @@ void KeyboardTest::undoBringsTheTargetIntoView() {
 void KeyboardTest::undoBringsTheTestIntoView() {
     const ShownWindow shown(examplePath("rotary-axis"));
     Workplace &workplace = shown.window->workplace();
+    const std::string title = shown.window->model().document()->tests[0]->title;
     shown.find<QAction>("duplicateTest")->trigger();
+    auto *dialog = shown.find<QInputDialog>("renameDialog");
+    dialog->setTextValue(u"again"_s);
+    dialog->accept();
+    QCOMPARE(shown.window->model().document()->tests[1]->title, "again");
+    QCOMPARE(shown.window->model().document()->tests[0]->title, title);
     QCOMPARE(workplace.selection().test(), std::size_t(1));
     shown.find<QAction>("undo")->trigger();
     QCOMPARE(workplace.selection().test(), std::size_t(0));

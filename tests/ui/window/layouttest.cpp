@@ -98,6 +98,8 @@ private slots:
     void pageAndFigureTakeTurnsInALowWindow();
     void pointsThatDoNotApplyAreFoldedAway();
     void agreedPointsBeginWithACapital();
+    void agreedPointsAreSeventyHigh();
+    void buttonsCanBeHit();
     void theNumberOfAnAgreementIsTypedBesideItsText();
     void symbolsInLabelsHaveTheirIndex();
     void textsOfQtAreFrench();
@@ -832,6 +834,50 @@ void LayoutTest::pointsThatDoNotApplyAreFoldedAway() {
     QVERIFY(others->isVisible() && others->text().startsWith(u"1 "_s));
     others->click();
     QVERIFY(zone->isVisible() && !others->isVisible());
+}
+
+/// From one field to the next, in both languages; no name is cut.
+void LayoutTest::agreedPointsAreSeventyHigh() {
+    for (const Language::Id id : {Language::Id::english, Language::Id::french}) {
+        setWindowLanguage(id);
+        const ShownWindow shown(examplePath("long-axis-with-zone"), {1366, 768});
+        shown.window->workplace().showPage(Page::agreedPoints);
+        QTest::qWait(20);
+        int before = 0;
+        int seen = 0;
+        for (const auto *text : shown.find("agreedPointsPage")->findChildren<QLineEdit *>()) {
+            if (!text->objectName().startsWith(u"field.agreedPoints."_s) || !text->isVisible())
+                continue;
+            const int at = text->mapTo(shown.window.data(), QPoint()).y();
+            QVERIFY2(seen == 0 || at - before <= 70, qPrintable(QString::number(at - before)));
+            before = at;
+            ++seen;
+            for (const auto *label : text->parentWidget()->findChildren<QLabel *>()) {
+                if (label->buddy() == text)
+                    QVERIFY2(label->heightForWidth(label->width()) <= label->height(),
+                             qPrintable(label->text()));
+            }
+        }
+        QVERIFY(seen > 5);
+    }
+}
+
+/// 24 px at least, on every page.
+void LayoutTest::buttonsCanBeHit() {
+    const ShownWindow shown(examplePath("x-axis-as-found-as-left"), {1366, 768});
+    QStringList small;
+    for (int page = 0; page <= static_cast<int>(Page::comparison); ++page) {
+        shown.window->workplace().showPage(static_cast<Page>(page));
+        QTest::qWait(20);
+        for (const auto *button : shown.window->findChildren<QAbstractButton *>()) {
+            const bool isBox = qobject_cast<const QCheckBox *>(button); // its words belong to it
+            if (button->isVisible() && !isBox && !qobject_cast<QLineEdit *>(button->parentWidget()) &&
+                std::min(button->width(), button->height()) < 24)
+                small << u"%1 %2 × %3"_s.arg(button->objectName()).arg(button->width()).arg(button->height());
+        }
+    }
+    small.removeDuplicates();
+    QVERIFY2(small.isEmpty(), qPrintable(small.join(u"; ")));
 }
 
 void LayoutTest::agreedPointsBeginWithACapital() {

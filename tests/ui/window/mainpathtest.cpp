@@ -4,16 +4,22 @@
 
 #include "ui/window/shownwindow.h"
 
+#include "core/register/registerdata.h"
 #include "ui/forms/field.h"
 #include "ui/model/page.h"
+#include "ui/window/liketest.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
+#include <QComboBox>
 #include <QDialog>
+#include <QFileDialog>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 
@@ -60,6 +66,26 @@ public:
         QTest::keyClicks(found[index], text);
         QTest::keyClick(found[index], Qt::Key_Return);
     }
+    /// Answers what has the focus: a number, a date, words, the first choice.
+    void answer() {
+        QWidget *at = QApplication::focusWidget();
+        const QString name = at->objectName();
+        if (auto *line = qobject_cast<QLineEdit *>(at)) {
+            const bool isNumber = line->alignment().testFlag(Qt::AlignRight);
+            QTest::keyClicks(at, name.contains(u"range") || name.contains(u"zone") ? u"0 … 500"_s
+                                 : isNumber                                        ? u"20"_s
+                                 : name.contains(u"ate")                           ? u"today"_s
+                                                                                   : u"stated"_s);
+            press(Qt::Key_Return);
+        } else if (qobject_cast<QPlainTextEdit *>(at)) {
+            QTest::keyClicks(at, "stated");
+        } else if (qobject_cast<QComboBox *>(at)) {
+            press(Qt::Key_Down);
+        } else {
+            press(Qt::Key_Space);
+        }
+        ++fields;
+    }
     [[nodiscard]] int gestures() const { return clicks + keys + fields; }
 
     int clicks = 0;
@@ -81,6 +107,13 @@ QString readingsOf(const Test &test) {
         lines << cells.join(u'\t');
     }
     return lines.join(u'\n');
+}
+
+/// True if every reading was taken.
+bool isMeasured(const PositioningMeasurement &measurement) {
+    return std::ranges::all_of(measurement.runs, [](const Run &run) {
+        return std::ranges::all_of(run.deviations, [](const auto &reading) { return reading.has_value(); });
+    });
 }
 
 int missing(const ShownWindow &shown, std::size_t test) {
@@ -159,6 +192,113 @@ private slots:
         qInfo("new test: %d missing, %d after one click, %d gestures", before, after, hand.gestures());
         hand.click(*shown.find<QPushButton>("undoLike"));
         QCOMPARE(missing(shown, added), before);
+    }
+
+    /// Of the register: the newest test of the machine, rather one of the same axis, and never the file
+    /// itself.
+    void theRegisterKnowsTheLastTest() {
+        const QTemporaryDir folder;
+        const auto add = [&](const QString &name, const char *serial, const char *axis, const char *date) {
+            testdata::Sample sample;
+            sample.serial = serial;
+            sample.axis = axis;
+            sample.date = date;
+            testdata::writeFile(folder.filePath(name), testdata::fileOf(sample));
+        };
+        add(u"older.palmer"_s, "000-017", "X", "2024-02-13");
+        add(u"last.palmer"_s, "000-017", "X", "2025-04-16");
+        add(u"otherAxis.palmer"_s, "000-017", "Y", "2025-06-01");
+        add(u"otherMachine.palmer"_s, "000-018", "X", "2026-01-01");
+        add(u"own.palmer"_s, "000-017", "X", "2026-02-02");
+        const QString address = folder.filePath(u"register.sqlite"_s);
+        {
+            Register made(address);
+            QCOMPARE(scan(made, {folder.path()}).tests, 5);
+        }
+        const QString own = folder.filePath(u"own.palmer"_s);
+        QFile file(own);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const auto open = std::make_shared<const Document>(readDocument(file.readAll()));
+        const auto like = lastTestOfMachine(open, 0, own, address);
+        QVERIFY(like);
+        QCOMPARE(QFileInfo(like->file).fileName(), u"last.palmer"_s);
+        QCOMPARE(QString::fromStdString(*like->document->tests[like->test]->date), u"2025-04-16"_s);
+        // A document that names no machine takes the one that was chosen.
+        Document nameless = *open;
+        nameless.machine = {};
+        const auto without = std::make_shared<const Document>(std::move(nameless));
+        QVERIFY(!lastTestOfMachine(without, 0, own, address));
+        const QStringList machines = machinesOfRegister(address);
+        QCOMPARE(machines.size(), 2);
+        for (const QString &machine : machines) {
+            const auto chosen = lastTestOfMachine(without, 0, own, address, machine);
+            QVERIFY(chosen);
+            QCOMPARE(QString::fromStdString(chosen->document->machine.serialNumber),
+                     machine.section(u" · "_s, -1));
+        }
+    }
+
+    /// From nothing to the PDF without the pointer.
+    void theKeyboardAloneIsEnough() {
+        const QTemporaryDir folder;
+        const ShownWindow shown({}, {1366, 768});
+        QVERIFY(QTest::qWaitForWindowActive(shown.window));
+        Hand hand(shown);
+        QTimer::singleShot(0, shown.window, [&] {
+            hand.press(Qt::Key_R, Qt::AltModifier);
+            hand.keys += 2;
+            QTest::keyClicks(QApplication::focusWidget(), "2");
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        });
+        hand.press(Qt::Key_N, Qt::ControlModifier);
+        QVERIFY(shown.window->hasDocument());
+        const auto test = [&]() -> const Test & { return *shown.window->model().document()->tests[0]; };
+        const auto &measured = [&]() -> const PositioningMeasurement & {
+            return std::get<PositioningMeasurement>(test().measurement);
+        };
+        const auto readings = measured().targets.size() * measured().runs.size();
+        for (std::size_t i = 0; i < readings; ++i) { // Return goes to the next one of the cycle
+            QTest::keyClicks(QApplication::focusWidget(), i % 3 == 0 ? "1.2" : "-0.4");
+            hand.press(Qt::Key_Return);
+        }
+        QVERIFY(isMeasured(measured()));
+        hand.press(Qt::Key_4, Qt::ControlModifier);
+        hand.press(Qt::Key_Tab);
+        while (!qobject_cast<QLineEdit *>(QApplication::focusWidget()) && hand.keys < 1000)
+            hand.press(Qt::Key_Tab);
+        QTest::keyClicks(QApplication::focusWidget(), "20");
+        hand.press(Qt::Key_Return);
+        QVERIFY(hasLimits(test().limits));
+        hand.press(Qt::Key_2, Qt::ControlModifier);
+        const auto open = [&] { return countMissing(shown.window->evaluator().current()); };
+        QTRY_VERIFY(!shown.window->evaluator().isBusy());
+        const int asked = open();
+        QVERIFY(asked > 10);
+        for (int i = 0; i < 3 * asked && open() > 0; ++i) {
+            hand.press(Qt::Key_F8);
+            hand.answer();
+            QTRY_VERIFY(!shown.window->evaluator().isBusy());
+        }
+        QVERIFY2(open() == 0, qPrintable(u"%1 of %2 open"_s.arg(open()).arg(asked)));
+        const QString pdf = folder.filePath(u"report.pdf"_s);
+        QTimer user;
+        connect(&user, &QTimer::timeout, this, [&] {
+            QWidget *modal = QApplication::activeModalWidget();
+            if (auto *files = qobject_cast<QFileDialog *>(modal); files && !QFileInfo::exists(pdf)) {
+                QTest::keyClicks(QApplication::focusWidget(), pdf);
+                hand.press(Qt::Key_Return);
+            } else if (auto *dialog = qobject_cast<QDialog *>(modal); dialog && !files) {
+                const bool ready = dialog->findChild<QPushButton *>("savePdf")->isEnabled();
+                if (ready)
+                    hand.press(QFileInfo::exists(pdf) ? Qt::Key_Escape : Qt::Key_Return);
+            }
+        });
+        user.start(50);
+        hand.press(Qt::Key_P, Qt::ControlModifier);
+        QVERIFY(QFileInfo(pdf).size() > 10'000);
+        QCOMPARE(hand.clicks, 0);
+        qInfo("new test to PDF: %d keys besides %d readings, %d statements", hand.keys - int(readings),
+              int(readings), asked);
     }
 
     /// The chip is the button to the next missing statement: its number is that of marks and badge.

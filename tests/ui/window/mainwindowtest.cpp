@@ -8,6 +8,7 @@
 #include "document/savedocument.h"
 #include "document/writedocument.h"
 #include "ui/forms/field.h"
+#include "ui/model/page.h"
 #include "ui/navigation/navigationmodel.h"
 #include "ui/testname.h"
 #include "ui/welcome/examples.h"
@@ -80,6 +81,9 @@ class MainWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void theHistoryIsAList();
+    void aPlanNeedsNoFile();
+    void theStatusCountsWhatIsMissing();
     void eachChoiceOfAMenuIsMarked();
     void initTestCase();
     void init();
@@ -113,6 +117,77 @@ private slots:
     void leavesUnfocusedFieldsToTheWheel();
     void modelsKeepTheirPromises();
 };
+
+/// Steps can be gone back to at once; their names are those of undo.
+void MainWindowTest::theHistoryIsAList() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    auto *history = shown.find<QAction>("undo")->menu();
+    for (const QAction *action : shown.window->menuBar()->actions()) {
+        for (QAction *inner : action->menu()->actions()) {
+            if (inner->menu() && inner->text().remove(u'&') == u"History"_s)
+                history = inner->menu();
+        }
+    }
+    QVERIFY(history);
+    const auto opened = shown.window->model().document();
+    for (const char *title : {"one", "two", "three"})
+        shown.window->model().edit("rename the test", [&](Document &document) {
+            auto test = std::make_shared<Test>(*document.tests[0]);
+            test->title = title;
+            document.tests[0] = std::move(test);
+        });
+    emit history->aboutToShow();
+    QCOMPARE(history->actions().size(), 4);
+    QVERIFY(history->actions()[0]->isChecked());
+    QCOMPARE(history->actions()[0]->text(), u"rename the test"_s);
+    QCOMPARE(history->actions()[3]->text(), u"As opened"_s);
+    history->actions()[2]->trigger();
+    QCOMPARE(shown.window->model().document()->tests[0]->title, "one");
+    emit history->aboutToShow();
+    QVERIFY(history->actions()[2]->isChecked());
+    history->actions()[3]->trigger();
+    QVERIFY(*shown.window->model().document() == *opened);
+}
+
+/// From the welcome page; only a test made from it opens a file.
+void MainWindowTest::aPlanNeedsNoFile() {
+    const ShownWindow shown;
+    const auto plan = [&](const char *button) {
+        QTimer::singleShot(0, shown.window, [button] {
+            QWidget *dialog = QApplication::activeModalWidget();
+            for (auto *each : dialog->findChildren<QPushButton *>()) {
+                if (each->isVisible() && each->text() == QLatin1StringView(button))
+                    return each->click();
+            }
+            qFatal("no %s", button);
+        });
+        shown.find<QAbstractButton>("welcomePlan")->click();
+    };
+    plan("&Close");
+    QVERIFY(!shown.window->hasDocument());
+    plan("&New test");
+    QVERIFY(shown.window->hasDocument());
+    QCOMPARE(shown.window->model().document()->tests.size(), std::size_t(1));
+    QVERIFY(shown.window->model().path().isEmpty() && shown.window->isWindowModified());
+}
+
+/// The sum of the badges, and the way to the list.
+void MainWindowTest::theStatusCountsWhatIsMissing() {
+    const ShownWindow shown(examplePath("x-axis-as-found-as-left"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    auto *lack = shown.find<QPushButton>("statusLack");
+    const EvaluatedDocument &evaluated = shown.window->evaluator().current();
+    int missing = 0;
+    for (Page page = Page::identification; page <= Page::uncertainty;
+         page = static_cast<Page>(static_cast<int>(page) + 1))
+        missing += countMissing(evaluated, 0, page);
+    QVERIFY(missing > 0 && lack->isVisible());
+    QVERIFY2(lack->text().startsWith(QString::number(missing) + u' '), qPrintable(lack->text()));
+    QVERIFY(shown.find<QLabel>("findingsSummary")->text().startsWith(lack->text()));
+    lack->setFocus();
+    QTest::keyClick(lack, Qt::Key_Space);
+    QTRY_VERIFY(shown.find("findings")->hasFocus());
+}
 
 void MainWindowTest::initTestCase() {
     prepareApplication();
