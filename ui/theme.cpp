@@ -207,10 +207,10 @@ QToolButton[segment="only"] { background: @base; border: 1px solid @field; paddi
 QToolButton[segment="first"] { border-top-left-radius: 4px; border-bottom-left-radius: 4px; }
 QToolButton[segment="middle"], QToolButton[segment="last"] { margin-left: -1px; }
 QToolButton[segment="last"] { border-top-right-radius: 4px; border-bottom-right-radius: 4px; }
-QToolButton[segment][narrow="true"] { padding: 0 5px; }
+QToolButton[segment][narrow="true"] { padding: 0 2px; }
 QToolButton[segment]:checked { background: @selected; border-color: @accent; }
 QToolButton[segment]:focus { border: 2px solid @accent; padding: 0 8px; min-height: 22px; }
-QToolButton[segment][narrow="true"]:focus { padding: 0 4px; }
+QToolButton[segment][narrow="true"]:focus { padding: 0 1px; }
 QLineEdit, QAbstractSpinBox, QComboBox, QPlainTextEdit { background: @base; color: @text; border: 1px solid @field;
     border-radius: 3px; selection-background-color: @accent; selection-color: @onAccent; }
 QLineEdit, QAbstractSpinBox, QComboBox { min-height: 26px; padding: 0 8px; }
