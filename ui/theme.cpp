@@ -179,6 +179,8 @@ QPushButton[primary="true"]:disabled { background: @line; color: @disabled; bord
 QPushButton[large="true"] { min-height: 34px; }
 QPushButton[large="true"]:focus { min-height: 32px; }
 QPushButton[link="true"] { background: transparent; color: @accent; border-color: transparent; padding: 0 4px; }
+QStatusBar > QPushButton { min-height: 22px; }
+QStatusBar > QPushButton:focus { min-height: 20px; }
 QPushButton[link="true"][bad="true"] { color: @bad; }
 QPushButton[link="true"][opens="true"] { padding: 0 18px 0 4px; }
 QPushButton[link="true"]:hover { text-decoration: underline; }

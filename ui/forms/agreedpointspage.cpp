@@ -316,9 +316,16 @@ void AgreedPointsPage::setLanguage(const Language &language) {
 /// `agreed`: the declaration of the point; null if there is none.
 void AgreedPointsPage::refreshRow(const Row &row, const Test &test, const AgreedPoint *agreed, bool settled) {
     const QString letter = QString::fromUtf8(row.point->letter);
-    row.letter->setContent(
-        letter, letter.isEmpty() ? QString::fromLatin1(settled ? "check" : "miss") : QString(),
-        settled ? Token::ok : Token::unsure, settled ? Token::okGround : Token::unsureGround);
+    // One that is not listed is asked for, and counted, with the conditions.
+    const bool isCounted = roleOf(*row.point, test) == PointRole::listed;
+    row.letter->setContent(letter,
+                           letter.isEmpty() ? QString::fromLatin1(settled ? "check" : "miss") : QString(),
+                           settled     ? Token::ok
+                           : isCounted ? Token::unsure
+                                       : Token::secondaryText,
+                           settled     ? Token::okGround
+                           : isCounted ? Token::unsureGround
+                                       : Token::hover);
     row.letter->setAccessibleName(settled ? tr("settled") : agreed ? tr("not agreed") : tr("not declared"));
     row.letter->setFixedWidth(letterWidth);
     const QString name = capitalised(m_language.text(row.point->name));

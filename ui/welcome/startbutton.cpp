@@ -18,7 +18,7 @@ namespace {
 
 constexpr int textHeight = 56;
 constexpr int lineHeight = 18;
-constexpr int pictureHeight = 98;
+constexpr int pictureHeight = 74; // all of the page is in sight at 768
 constexpr int pictureMargin = 16;
 
 // Illustration only, not a measurement; values from 0 to 1.

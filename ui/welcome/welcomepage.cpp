@@ -54,6 +54,7 @@ public:
         setFont(themeFont(TextSize::small));
         setProperty("secondary", true);
         setMinimumHeight(40);
+        setContentsMargins(12, 0, 12, 0);
         setWordWrap(true);
     }
 
