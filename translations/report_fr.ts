@@ -10364,7 +10364,7 @@
     </message>
     <message>
         <source>half the duration, %1</source>
-        <translation>durée divisée par deux, %1</translation>
+        <translation>demi-durée, %1</translation>
     </message>
     <message>
         <source>without drift</source>
@@ -10376,7 +10376,7 @@
     </message>
     <message>
         <source>temperature held to ± %1, at worst</source>
-        <translation>température tenue à ± %1, au pire</translation>
+        <translation>θ tenue à ± %1, au pire</translation>
     </message>
     <message>
         <source>steps of time differ: no response</source>

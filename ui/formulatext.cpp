@@ -8,6 +8,7 @@
 #include <QFontInfo>
 #include <QFontMetricsF>
 #include <QPalette>
+#include <cmath>
 #include <vector>
 
 namespace palmer::ui {
@@ -88,10 +89,9 @@ void drawPiece(QPainter &painter, QPointF baseline, const FormulaPiece &piece) {
     if (!piece.barred)
         return;
     const QFontMetricsF metrics(piece.font);
-    const bool capital = piece.text.at(0).isUpper();
-    const double top = capital ? metrics.capHeight() : metrics.xHeight();
-    const double gap = metrics.xHeight() * 0.2; // in rows of 20 px the bar stays clear of the rule
-    const double y = at.y() - top - gap;
+    // By the letter as it is drawn, as some fonts state a wrong x-height: a bar that high touches the rule of
+    // a row of 20 px.
+    const double y = std::floor(at.y() + metrics.tightBoundingRect(piece.text).top()) - 2;
     painter.fillRect(
         QRectF(at.x() + piece.width * 0.12, y, piece.width * 0.76, qMax(1.0, metrics.lineWidth())),
         painter.pen().color());

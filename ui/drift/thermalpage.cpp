@@ -182,6 +182,8 @@ void ThermalPage::fill(RowTable &table, const Table &content) {
                 content.columns[static_cast<std::size_t>(column)].alignment != Alignment::left;
             auto *item =
                 table.setCell(row, column, cell.text.plain(), number && cell.columns == 1, cell.bold);
+            if (!number)
+                item->setToolTip(cell.text.plain()); // a narrow window elides it
             if (cell.bar)
                 item->setData(RowTable::barRole, *cell.bar);
             if (cell.columns > 1)
