@@ -21,13 +21,14 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <numeric>
 
 namespace palmer::ui {
 
 namespace {
 
 constexpr const char *sheetContext = "palmer::ui::SheetPage";
-constexpr std::array columnWidths{52, 200, 100, 72, 60, 56, 110, 80, 72, 72, 104, 76};
+constexpr std::array columnWidths{52, 200, 120, 72, 60, 56, 110, 80, 72, 72, 104, 76};
 
 /// The guard picture of a row; else its text.
 class SheetDelegate : public QuietDelegate {
@@ -118,6 +119,9 @@ void SheetPage::makeTable() {
                              QAbstractItemView::AnyKeyPressed);
     for (std::size_t column = 0; column < columnWidths.size(); ++column)
         m_table->setColumnWidth(static_cast<int>(column), columnWidths[column]);
+    // Its columns need more room than fields.
+    m_table->parentWidget()->setMaximumWidth(std::accumulate(columnWidths.begin(), columnWidths.end(), 0) +
+                                             2 * pageMargin);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the page scrolls
     takeTableKeys(
         *m_table, [this] { paste(); }, [this] { removeRows(); });

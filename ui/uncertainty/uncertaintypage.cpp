@@ -272,7 +272,7 @@ void UncertaintyPage::forgetParts() {
     m_fields.clear();
     m_methods = {};
     m_methodNote = nullptr;
-    m_perMetre = m_length = m_environment = m_repeatability = m_trials = nullptr;
+    m_perMetre = m_length = m_environment = m_duration = m_repeatability = m_trials = nullptr;
     m_advice = nullptr;
     m_contributions = nullptr;
     m_results = nullptr;
@@ -403,8 +403,8 @@ void UncertaintyPage::addEnvironment(Quantity size, Member<Amount> member) {
     for (const QByteArray &name : m_driftNames)
         words.push_back(name.constData());
     addChoice({"driftTest", QT_TR_NOOP("E_VE from")}, words, environmentFrom(m_drifts), false);
-    addNumber({"duration", QT_TR_NOOP("Test lasted, min")}, Quantity::number,
-              ofTest([](auto &test) { return &test.duration; }), 1, Allowed::positive);
+    m_duration = addNumber({"duration", QT_TR_NOOP("Test lasted, min")}, Quantity::number,
+                           ofTest([](auto &test) { return &test.duration; }), 1, Allowed::positive);
 }
 
 /// Settings of the simulation.
@@ -679,6 +679,8 @@ void UncertaintyPage::showPlaceholders(const TestEvaluation &evaluation) {
             language().number(certain(*evaluation.uncertainty.length), Quantity::position));
     if (m_environment)
         m_environment->setPlaceholder(driftPlaceholder());
+    if (m_duration) // over which the drift test is asked for its range
+        m_duration->setVisible(driftTestOf(*shownTest()) && m_environment->text().isEmpty());
     if (m_repeatability) {
         const auto &contributions = evaluation.uncertainty.contributions;
         const auto found = std::ranges::find_if(

@@ -82,6 +82,7 @@ private:
     Field *m_perMetre = nullptr;
     Field *m_length = nullptr;
     Field *m_environment = nullptr;
+    Field *m_duration = nullptr;
     Field *m_repeatability = nullptr;
     Field *m_trials = nullptr;
     QPushButton *m_advice = nullptr;

@@ -244,11 +244,12 @@ private slots:
         const ShownWindow shown({}, {1366, 768});
         QVERIFY(QTest::qWaitForWindowActive(shown.window));
         Hand hand(shown);
-        QTimer::singleShot(0, shown.window, [&] {
-            hand.press(Qt::Key_R, Qt::AltModifier);
-            hand.keys += 2;
-            QTest::keyClicks(QApplication::focusWidget(), "2");
-            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QTimer::singleShot(300, shown.window, [&] { // the dialog is active by then
+            QWidget *dialog = QApplication::activeModalWidget();
+            hand.keys += 3;
+            QTest::keyClick(dialog, Qt::Key_R, Qt::AltModifier);
+            QTest::keyClicks(dialog->focusWidget(), "2");
+            QTest::keyClick(dialog->focusWidget(), Qt::Key_Return);
         });
         hand.press(Qt::Key_N, Qt::ControlModifier);
         QVERIFY(shown.window->hasDocument());
