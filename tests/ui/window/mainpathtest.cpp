@@ -41,9 +41,9 @@ public:
     }
     void press(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
         ++keys;
-        QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : m_shown.window.data(),
-                        key, with);
+        QTest::keyClick(focused(), key, with);
     }
+    void write(const QString &text) { QTest::keyClicks(focused(), text); }
     /// A command of a menu, by its shortcut if it has one: a click to open the menu and one to choose else.
     void command(const char *action) {
         auto *named = m_shown.find<QAction>(action);
@@ -68,7 +68,7 @@ public:
     }
     /// Answers what has the focus: a number, a date, words, the first choice.
     void answer() {
-        QWidget *at = QApplication::focusWidget();
+        QWidget *at = focused();
         const QString name = at->objectName();
         if (auto *line = qobject_cast<QLineEdit *>(at)) {
             const bool isNumber = line->alignment().testFlag(Qt::AlignRight);
@@ -87,6 +87,12 @@ public:
         ++fields;
     }
     [[nodiscard]] int gestures() const { return clicks + keys + fields; }
+
+    [[nodiscard]] QWidget *focused() const {
+        QWidget *at =
+            QApplication::focusWidget() ? QApplication::focusWidget() : m_shown.window->focusWidget();
+        return at ? at : m_shown.window.data();
+    }
 
     int clicks = 0;
     int keys = 0;
@@ -253,13 +259,15 @@ private slots:
         });
         hand.press(Qt::Key_N, Qt::ControlModifier);
         QVERIFY(shown.window->hasDocument());
+        shown.window->activateWindow(); // as a window manager does
+        QVERIFY(QTest::qWaitForWindowActive(shown.window));
         const auto test = [&]() -> const Test & { return *shown.window->model().document()->tests[0]; };
         const auto &measured = [&]() -> const PositioningMeasurement & {
             return std::get<PositioningMeasurement>(test().measurement);
         };
         const auto readings = measured().targets.size() * measured().runs.size();
         for (std::size_t i = 0; i < readings; ++i) { // Return goes to the next one of the cycle
-            QTest::keyClicks(QApplication::focusWidget(), i % 3 == 0 ? "1.2" : "-0.4");
+            hand.write(i % 3 == 0 ? u"1.2"_s : u"-0.4"_s);
             hand.press(Qt::Key_Return);
         }
         QVERIFY(isMeasured(measured()));
@@ -267,7 +275,7 @@ private slots:
         hand.press(Qt::Key_Tab);
         while (!qobject_cast<QLineEdit *>(QApplication::focusWidget()) && hand.keys < 1000)
             hand.press(Qt::Key_Tab);
-        QTest::keyClicks(QApplication::focusWidget(), "20");
+        hand.write(u"20"_s);
         hand.press(Qt::Key_Return);
         QVERIFY(hasLimits(test().limits));
         hand.press(Qt::Key_2, Qt::ControlModifier);
