@@ -193,7 +193,7 @@ private slots:
         const ResultLine &a = line(shown, u"A"_s);
         QCOMPARE(a.cell("value"), u"18.0"_s);
         QCOMPARE(a.cell("expandedUncertainty"), u"3.0"_s);
-        QCOMPARE(a.cell("limit"), u"25.0"_s);
+        QCOMPARE(a.cell("limit"), u"25"_s);
         QCOMPARE(a.cell("ruling"), u"2↑ – 5↓"_s);
         QCOMPARE(line(shown, u"E"_s).cell("expandedUncertainty"), u"–"_s);
         QCOMPARE(line(shown, u"E"_s).cell("limit"), u"–"_s);
