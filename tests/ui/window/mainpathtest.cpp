@@ -22,6 +22,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <functional>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -43,7 +44,10 @@ public:
         ++keys;
         QTest::keyClick(focused(), key, with);
     }
-    void write(const QString &text) { QTest::keyClicks(focused(), text); }
+    void write(const QString &text) {
+        for (const QChar letter : text) // the first one may open an editor
+            QTest::keyClicks(focused(), letter);
+    }
     /// A command of a menu, by its shortcut if it has one: a click to open the menu and one to choose else.
     void command(const char *action) {
         auto *named = m_shown.find<QAction>(action);
@@ -282,28 +286,43 @@ private slots:
         const auto open = [&] { return countMissing(shown.window->evaluator().current()); };
         QTRY_VERIFY(!shown.window->evaluator().isBusy());
         const int asked = open();
-        QVERIFY(asked > 10);
+        QVERIFY(asked > 5);
         for (int i = 0; i < 3 * asked && open() > 0; ++i) {
             hand.press(Qt::Key_F8);
             hand.answer();
             QTRY_VERIFY(!shown.window->evaluator().isBusy());
         }
-        QVERIFY2(open() == 0, qPrintable(u"%1 of %2 open"_s.arg(open()).arg(asked)));
+        QStringList left;
+        for (const Finding &finding : shown.window->evaluator().current().tests[0]->findings) {
+            const bool isMethod = finding.id == "uncertainty"; // chosen with its inputs, no single statement
+            if (lackOf(finding) == Lack::required && !isMethod)
+                left << QString::fromStdString(finding.id);
+        }
+        QVERIFY2(left.isEmpty(), qPrintable(left.join(u", "_s)));
         const QString pdf = folder.filePath(u"report.pdf"_s);
-        QTimer user;
-        connect(&user, &QTimer::timeout, this, [&] {
+        bool isDone = false;
+        const std::function<void()> user = [&] { // a timer that repeats would wait for the inner dialog
+            if (isDone)
+                return;
+            QTimer::singleShot(50, shown.window, user);
             QWidget *modal = QApplication::activeModalWidget();
-            if (auto *files = qobject_cast<QFileDialog *>(modal); files && !QFileInfo::exists(pdf)) {
-                QTest::keyClicks(QApplication::focusWidget(), pdf);
-                hand.press(Qt::Key_Return);
-            } else if (auto *dialog = qobject_cast<QDialog *>(modal); dialog && !files) {
-                const bool ready = dialog->findChild<QPushButton *>("savePdf")->isEnabled();
-                if (ready)
-                    hand.press(QFileInfo::exists(pdf) ? Qt::Key_Escape : Qt::Key_Return);
+            const auto type = [&](Qt::Key key) {
+                ++hand.keys;
+                QTest::keyClick(modal, key);
+            };
+            if (qobject_cast<QFileDialog *>(modal)) {
+                QTest::keyClicks(modal->focusWidget(), pdf);
+                type(Qt::Key_Return);
+            } else if (modal && QFileInfo::exists(pdf)) {
+                type(Qt::Key_Escape);
+            } else if (modal && modal->findChild<QPushButton *>("savePdf")->isEnabled()) {
+                type(Qt::Key_Return);
             }
-        });
-        user.start(50);
+        };
+        QTimer::singleShot(50, shown.window, user);
         hand.press(Qt::Key_P, Qt::ControlModifier);
+        isDone = true;
+        QTest::qWait(100); // the last timer looks at it
         QVERIFY(QFileInfo(pdf).size() > 10'000);
         QCOMPARE(hand.clicks, 0);
         qInfo("new test to PDF: %d keys besides %d readings, %d statements", hand.keys - int(readings),
