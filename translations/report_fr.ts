@@ -1409,6 +1409,14 @@
         <translation>seconde d’arc</translation>
     </message>
     <message>
+        <source>Differences by the factor of s: %1.</source>
+        <translation>Différences dues au facteur de s&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Differences by the definitions of the editions: %1.</source>
+        <translation>Différences dues aux définitions des éditions&#xa0;: %1.</translation>
+    </message>
+    <message>
         <source>procedure %1</source>
         <translation>procédure %1</translation>
     </message>

@@ -634,7 +634,7 @@ std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
         table.columns.push_back(columnOf(QString(), 8));
     table.columns.push_back(write.flexible(REPORT_TEXT("report", "Point"), 82));
     table.columns.push_back(write.column(REPORT_TEXT("report", "Agreement"), 30));
-    table.columns.push_back(write.column(REPORT_TEXT("report", "Agreed text"), letters ? 55.0 : 63.0));
+    table.columns.push_back(write.column(REPORT_TEXT("report", "Agreed text"), 55));
     const auto add = [&](const AgreementPoint &point, bool asked) {
         const auto found = std::ranges::find(part.test.agreedPoints, point.point, &AgreedPoint::point);
         const bool listed = found != part.test.agreedPoints.end();
@@ -655,7 +655,10 @@ std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
         std::vector<Cell> row;
         if (letters)
             row.emplace_back(asked ? QString::fromUtf8(point.letter) + u')' : QString());
-        row.emplace_back(write.text(point.name));
+        QString name = write.text(point.name);
+        if (!name.isEmpty())
+            name[0] = name[0].toUpper();
+        row.emplace_back(name);
         row.push_back(agreement);
         row.emplace_back(listed ? agreedText(part, *found) : QString());
         table.rows.push_back(std::move(row));

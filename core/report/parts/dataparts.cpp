@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <set>
 #include <span>
 
@@ -591,6 +593,47 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
     return table;
 }
 
+namespace {
+
+/// Why values of a quantity differ between editions: by the factor of s, or, with the same factor, by what
+/// the editions define.
+QString reasonsOfDifferences(const TestPart &part) {
+    constexpr double equal = 1e-9; // mm, degrees
+    const std::vector<EditionColumn> columns = editionColumns(part);
+    QStringList byFactor;
+    QStringList byDefinition;
+    for (const std::string &row : rowsOfEditions(columns, part.head())) {
+        std::map<double, double> values; // by factor
+        QString symbol;
+        bool isDefined = false;
+        for (const EditionColumn &column : columns) {
+            const auto &parameters = column.evaluation->parameters;
+            const auto found = std::ranges::find_if(
+                parameters, [&](const Parameter &p) { return rowOfEditions(p) == row && p.value; });
+            if (found == parameters.end())
+                continue;
+            symbol = symbol.isEmpty() ? symbolPhrase(*found).plain() : symbol;
+            const auto [known, isNew] = values.try_emplace(column.edition->c, *found->value);
+            isDefined |= std::abs(known->second - *found->value) > equal;
+        }
+        const bool differs = std::ranges::any_of(
+            values, [&](const auto &each) { return std::abs(each.second - values.begin()->second) > equal; });
+        if (isDefined)
+            byDefinition << symbol;
+        else if (differs)
+            byFactor << symbol;
+    }
+    const auto sentence = [&](const Text &words, const QStringList &symbols) {
+        return symbols.isEmpty() ? QString() : part.write.say(words, enumerated(part.write, symbols));
+    };
+    return joined({sentence(REPORT_TEXT("report", "Differences by the factor of s: %1."), byFactor),
+                   sentence(REPORT_TEXT("report", "Differences by the definitions of the editions: %1."),
+                            byDefinition)},
+                  QStringLiteral(" "));
+}
+
+} // namespace
+
 void addEditions(std::vector<Block> &blocks, const TestPart &part) {
     auto table = editionsTable(part);
     if (!table)
@@ -599,6 +642,8 @@ void addEditions(std::vector<Block> &blocks, const TestPart &part) {
                part.write.say(REPORT_TEXT("report", "edition of the test: %1; the others without verdict"),
                               {std::string(part.edition().word)}));
     blocks.emplace_back(std::move(*table));
+    if (const QString reasons = reasonsOfDifferences(part); !reasons.isEmpty())
+        blocks.emplace_back(Paragraph{reasons, TextSize::small});
 }
 
 void addRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks) {

@@ -723,7 +723,7 @@ private slots:
         const Report composed =
             report(std::make_shared<const Document>(changed), Language(Language::Id::english));
         const QString all = pageText(composed);
-        QCOMPARE(all.count("Warm-up  "), qsizetype(1));
+        QCOMPARE(all.count("Warm-up  "), qsizetype(2)); // a condition, and a point to be agreed
         QCOMPARE(headingsOf(composed).count("Points to be agreed"), qsizetype(1));
         QCOMPARE(headingsOf(composed).count("Test conditions"), qsizetype(1));
         QCOMPARE(headingsOf(composed).count("Limits and decision rule"), qsizetype(1));
