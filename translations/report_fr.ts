@@ -2574,6 +2574,18 @@
         <translation>Angle de départ&#xa0;: pris à %1. Un angle faux transforme un défaut de perpendicularité en différence d’échelle.</translation>
     </message>
     <message>
+        <source>this is a web page; open it in a browser, copy its table and paste it, or save the table as text</source>
+        <translation>c’est une page web&#x202f;; l’ouvrir dans un navigateur, copier son tableau et le coller, ou enregistrer le tableau comme texte</translation>
+    </message>
+    <message>
+        <source>“%1” differs from line to line; all readings are read, whatever it says.</source>
+        <translation>«&#xa0;%1&#xa0;» diffère d’une ligne à l’autre&#x202f;; tous les relevés sont lus, quoi qu’il indique.</translation>
+    </message>
+    <message>
+        <source>Axis: a line of the file names %1, the headings %2; %1 is taken.</source>
+        <translation>Axe&#xa0;: une ligne du fichier nomme %1, les en-têtes %2&#x202f;; %1 est retenu.</translation>
+    </message>
+    <message>
         <source>A run states no direction and was not read.</source>
         <translation>Une passe n’indique pas son sens et n’a pas été lue.</translation>
     </message>

@@ -108,6 +108,8 @@ bool isTestFile(QByteArrayView bytes, const QString &name) {
     const QByteArray narrow = wide ? withoutZeros(bytes) : QByteArray();
     const QByteArrayView seen = wide ? QByteArrayView(narrow) : bytes;
     const std::string_view text = trimmed({seen.data(), static_cast<std::size_t>(seen.size())});
+    if (text.starts_with("{\\rtf"))
+        return false;
     return text.starts_with('{') || text.ends_with('}') || holdsKey(text);
 }
 

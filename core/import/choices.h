@@ -17,6 +17,8 @@
 
 namespace palmer {
 
+struct Edition;
+
 /// The user's choices for an import: key → word, as for --set and in profiles.
 using ImportOptions = std::map<std::string, std::string, std::less<>>;
 
@@ -88,7 +90,7 @@ public:
     Choice<double> resolveNumber(std::string_view key, double found, Origin origin);
     /// The edition for reading a test of the kind: the chosen one, otherwise the default. Throws
     /// Error(content) if it is of another kind.
-    std::string resolveEdition(Kind kind);
+    std::string resolveEdition(Kind kind, const Edition *stated = nullptr);
 
     [[nodiscard]] std::vector<ImportChoice> take() { return std::move(m_settled); }
 

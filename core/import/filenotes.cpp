@@ -7,6 +7,8 @@
 #include "tables/folded.h"
 
 #include <QRegularExpression>
+#include <algorithm>
+#include <array>
 #include <set>
 
 namespace palmer {
@@ -96,11 +98,9 @@ bool readTemperature(const QString &line, FileNotes &notes) {
         return false;
     Sensor sensor;
     sensor.position = match.captured(1).trimmed().toStdString();
-    const std::string name = folded(sensor.position);
-    const auto names = [&](std::string_view word) { return name.find(word) != std::string::npos; };
-    sensor.measures = names("air") || names("luft") || names("aria") || names("aire") || names("ambi")
-                          ? SensorMeasures::air
-                          : SensorMeasures::machine;
+    // "Temperature" alone does not say of what.
+    sensor.measures = readHeading(sensor.position).unknownWords > 0 ? measuredBy(sensor.position)
+                                                                    : SensorMeasures::notStated;
     sensor.start = value;
     notes.sensors.push_back(std::move(sensor));
     return true;
@@ -142,9 +142,18 @@ bool read(const QString &line, FileNotes &notes) {
         R"(\b(?:operator|opérateur|operateur|bediener|prüfer|pruefer|operatore|operador|inspector|by|par)\s*[:=;]\s*([^:=;|,][^;|,]{1,60}))");
     take(notes.machine,
          R"(\b(?:machine|maschine|macchina|máquina|maquina)\s*[:=;]\s*([^:=;|,][^;|,]{1,80}))");
-    take(
-        notes.serialNumber,
-        R"((?:\bserial(?: no| number)?|n° de série|numéro de série|\bs/n|\bseriennummer|\bserien-nr|\bmatricola|\bnúmero de serie|\bnº de serie)\.?\s*[:=;]\s*([^:=;|,][^;|,]{0,60}))");
+    static const QRegularExpression instrument(
+        QStringLiteral(
+            R"(\b(?:laser|interferom\w*|instrumento?s?|strumento|messger[aä]t|ballbar|sensor|probe|capteur)\b)"),
+        QRegularExpression::CaseInsensitiveOption);
+    static const QRegularExpression machine(QStringLiteral(R"(\b(?:machine|maschine|macchina|m[aá]quina)\b)"),
+                                            QRegularExpression::CaseInsensitiveOption);
+    notes.isOfInstrument =
+        instrument.match(line).hasMatch() || (notes.isOfInstrument && !machine.match(line).hasMatch());
+    if (!notes.isOfInstrument)
+        take(
+            notes.serialNumber,
+            R"((?:\bserial(?: no| number)?|n° de série|numéro de série|\bs/n|\bseriennummer|\bserien-nr|\bmatricola|\bnúmero de serie|\bnº de serie)\.?\s*[:=;]\s*([^:=;|,][^;|,]{0,60}))");
     if (notes.operatorName == "–" || notes.operatorName == "—")
         notes.operatorName.clear();
     understood |= readTemperature(line, notes);
@@ -153,13 +162,30 @@ bool read(const QString &line, FileNotes &notes) {
         notes.unit = unitOfNote(line.toStdString());
         understood |= notes.unit.isSaid();
     }
-    if (const auto date = isoDate(line.toStdString()); date && !notes.date) {
+    // "Calibrated: 2022-01-01" is no day of the test.
+    static const QRegularExpression otherDay(
+        QStringLiteral(
+            R"(^\D*(?:calib|[eé]talon|kalib|tarat|certif|\bdue\b|valid|[eé]ch[eé]ance|f[aä]llig|scaden|print|)"
+            R"(druck|imprim|install|version|built|baujahr|mise en service))"),
+        QRegularExpression::CaseInsensitiveOption);
+    const bool isOtherDay = otherDay.match(line).hasMatch();
+    if (const auto date = isoDate(line.toStdString()); date && !notes.date && !isOtherDay) {
         notes.date = date;
         understood = true;
     } else if (const auto text = captured(R"(\b(\d{1,2}[./-]\d{1,2}[./-]\d{2,4})\b)", line);
-               text && !date && notes.dateText.empty()) {
+               text && !date && notes.dateText.empty() && !isOtherDay) {
         notes.dateText = text->toStdString();
         understood = true;
+    }
+    static const QRegularExpression standard(
+        QStringLiteral(
+            R"(\b(ISO)\s*(230-[24])\s*[:(–-]?\s*(1988|1996|1997|2005|2006|2014|2022)\b|\b(VDI)\s*/?\s*(?:DGQ)?\s*3441\b)"),
+        QRegularExpression::CaseInsensitiveOption);
+    if (const auto found = standard.match(line); found.hasMatch() && !notes.edition) {
+        notes.edition = findEdition(found.captured(4).isEmpty() ? "ISO " + found.captured(2).toStdString() +
+                                                                      ':' + found.captured(3).toStdString()
+                                                                : std::string("VDI/DGQ 3441:1977"));
+        understood |= notes.edition != nullptr;
     }
     if (SaidSign sign = saidSign(line.toStdString()); !sign.sign.empty() && notes.sign.sign.empty()) {
         notes.sign = std::move(sign);
@@ -224,6 +250,18 @@ bool isLabelledValue(const CellTable &table, const TableRow &row) {
         return false;
     FileNotes notes;
     return table.text(*label).ends_with(':') || read(QString::fromStdString(lineOf(table, row)), notes);
+}
+
+SensorMeasures measuredBy(std::string_view name) {
+    constexpr std::array<std::string_view, 12> air{"air",  "ambi",     "luft",  "aria",    "aire",  "room",
+                                                   "raum", "umgebung", "salle", "atelier", "local", "sala"};
+    constexpr std::array<std::string_view, 6> instrument{"instrument", "ballbar", "scale",
+                                                         "laser",      "etalon",  "strument"};
+    const std::string low = folded(name);
+    const auto names = [&](std::string_view word) { return low.find(word) != std::string::npos; };
+    if (std::ranges::any_of(air, names))
+        return SensorMeasures::air;
+    return std::ranges::any_of(instrument, names) ? SensorMeasures::instrument : SensorMeasures::machine;
 }
 
 FileNotes notesOf(const CellTable &table, const TableBody &body) {

@@ -5,6 +5,7 @@
 #include "import/layouts/headings.h"
 #include "import/layouts/tablebody.h"
 #include "import/remark.h"
+#include "kernel/evaluation/edition.h"
 #include "kernel/measurement/conditions.h"
 
 #include <optional>
@@ -21,6 +22,8 @@ struct FileNotes {
     std::optional<std::string> date; ///< YYYY-MM-DD
     std::string dateText;            ///< a date that is not ISO, as written
     std::string days;                ///< several dates in one line above the columns
+    const Edition *edition = nullptr; ///< "Standard: ISO 230-2:1988"
+    bool isOfInstrument = false; ///< the last label named the instrument: a serial number below is its own
     std::string operatorName;
     std::string machine;
     std::string serialNumber;
@@ -34,6 +37,9 @@ struct FileNotes {
 /// True if a row is a label with its value, such as "Date" followed by "05.03.2024": words before at most one
 /// number that are understood or end with a colon.
 [[nodiscard]] bool isLabelledValue(const CellTable &table, const TableRow &row);
+
+/// What a temperature is taken of, from its name: the air, the instrument, else the machine.
+[[nodiscard]] SensorMeasures measuredBy(std::string_view name);
 
 [[nodiscard]] FileNotes notesOf(const CellTable &table, const TableBody &body);
 

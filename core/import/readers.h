@@ -38,6 +38,9 @@ void readMeasurementTable(Choices &choices, Imported &imported);
 /// Throws Error with advice for a compensation table of a control, recognised also by its suffix.
 void refuseCompensationTable(QByteArrayView bytes, const QString &fileName);
 
+/// True for HTML.
+[[nodiscard]] bool isWebPage(QByteArrayView bytes);
+
 /// Throws Error with advice for a format recognised by name or content but not publicly described.
 void refuseUndocumented(QByteArrayView bytes, const QString &fileName);
 

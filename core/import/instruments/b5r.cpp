@@ -456,7 +456,7 @@ bool isBallbarXml(QByteArrayView bytes) {
     // In UTF-16 every ASCII letter has a zero byte.
     const bool xml = start.sliced(std::min(at, start.size())).trimmed().startsWith('<') ||
                      start.startsWith("\xFF\xFE<") || start.startsWith(QByteArrayView("\xFE\xFF\0<", 4));
-    return xml;
+    return xml && !isWebPage(bytes);
 }
 
 void readBallbarXml(const ImportSource &source, Choices &choices, Imported &imported) {

@@ -58,7 +58,19 @@ bool isBinary(QByteArrayView bytes) {
 
 } // namespace
 
+bool isWebPage(QByteArrayView bytes) {
+    const QByteArray start =
+        bytes.first(std::min<qsizetype>(bytes.size(), 1024)).trimmed().toByteArray().toLower();
+    return start.startsWith("<!doctype html") || start.startsWith("<html") || start.startsWith("<table") ||
+           start.startsWith("<body");
+}
+
 void refuseUndocumented(QByteArrayView bytes, const QString &fileName) {
+    if (isWebPage(bytes))
+        refuseAs(Error::Kind::format,
+                 REPORT_TEXT("report",
+                             "this is a web page; open it in a browser, copy its table and paste it, or save "
+                             "the table as text"));
     const QString name = fileName.toLower();
     const bool compound = bytes.startsWith("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"); // old office programs
     const bool sqlite = bytes.startsWith("SQLite format 3");

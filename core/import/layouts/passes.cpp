@@ -180,10 +180,11 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
     return result;
 }
 
-Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices) {
+Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices,
+              const Edition *stated) {
     Test test;
     measurement.axis.name = choices.resolve("axis", axis, Origin::recognised).value;
-    test.edition = choices.resolveEdition(Kind::positioning);
+    test.edition = choices.resolveEdition(Kind::positioning, stated);
     test.measurement = std::move(measurement);
     return test;
 }

@@ -45,8 +45,10 @@ struct PassForm {
 [[nodiscard]] PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
                                                    Remarks &remarks);
 
-/// Makes a test of a measurement; edition and axis name as chosen, otherwise the default and `axis`.
-[[nodiscard]] Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices);
+/// Makes a test of a measurement; edition and axis name as chosen, otherwise `stated` or the default, and
+/// `axis`.
+[[nodiscard]] Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices,
+                            const Edition *stated = nullptr);
 
 /// Throws Error unless the units of readings and positions are both lengths or both angles.
 void requireOneMotion(const PassForm &form);

@@ -326,7 +326,7 @@ public:
         const auto *const first =
             std::ranges::find_if(precedence, [this](Meaning meaning) { return has(meaning); });
         m.meaning = first == precedence.end() ? Meaning::unknown : *first;
-        if (m_symbol && m.direction && m_meanings.empty() && m.unknownWords < 2)
+        if (m_symbol && (m.direction || m.hint) && m_meanings.empty() && m.unknownWords < 2)
             m.meaning = Meaning::statistic;
         m.isTarget = has(Meaning::target);
         m.isActual = has(Meaning::actual) || has(Meaning::reading);

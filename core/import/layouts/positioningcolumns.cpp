@@ -4,6 +4,7 @@
 
 #include "document/place.h"
 #include "tables/contenterror.h"
+#include "tables/folded.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +73,19 @@ void takeUnitColumn(ColumnSearch &search) {
     }
 }
 
+/// "Status", "Valid", "gültig": marks that differ from line to line, so that some readings are not like the
+/// others.
+bool marksReadings(const ColumnSearch &search, std::size_t c) {
+    constexpr std::string_view words =
+        "|status|valid|validity|flag|flags|quality|rejected|outlier|excluded|statut|valide|"
+        "etat|qualite|rejete|exclu|gultig|ungultig|qualitat|ausreisser|stato|valido|"
+        "estado|calidad|";
+    const std::string heading = folded(search.reading.body.columns[c].heading);
+    const std::vector<std::string_view> cells = cellsOf(search, c);
+    return words.find('|' + heading + '|') != std::string_view::npos &&
+           std::ranges::adjacent_find(cells, std::ranges::not_equal_to()) != cells.end();
+}
+
 /// True if an unread column has a heading or position typical of readings.
 bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
     const TableColumn &head = search.reading.body.columns[c];
@@ -106,6 +120,12 @@ void remarkIgnored(ColumnSearch &search) {
             (heads[c].meaning == Meaning::axis && heads[c].kind == ColumnKind::words); // it selects the lines
         if (isRead || isCounted || heads[c].kind == ColumnKind::empty)
             continue;
+        if (!isChosen && marksReadings(search, c))
+            search.reading.remarks.problem(
+                "columns",
+                REPORT_TEXT("report",
+                            "“%1” differs from line to line; all readings are read, whatever it says."),
+                excerpt(heads[c].heading));
         const bool isReading = !isChosen && looksLikeReadings(search, c);
         std::string &list = isReading ? readings : names;
         const std::string name = heads[c].heading.empty() && isReading ? '#' + std::to_string(c + 1)

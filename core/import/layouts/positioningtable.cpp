@@ -100,11 +100,31 @@ std::string resolveLayout(TableReading &reading) {
     return choice.value;
 }
 
-std::string axisName(const TableReading &reading) {
+/// The axis named by the headings of all columns read; 0 if there is none, or several.
+char axisOfHeadings(const TableReading &reading) {
+    char axis = 0;
+    for (const ImportColumn &column : reading.result.columns) {
+        const char named = column.role == ColumnRole::ignored ? '\0' : readHeading(column.heading).axis;
+        if (named != 0 && axis != 0 && named != axis)
+            return 0;
+        axis = named != 0 ? named : axis;
+    }
+    return axis;
+}
+
+std::string axisName(TableReading &reading) {
     if (!reading.axisFound.empty())
         return reading.axisFound;
-    if (!reading.notes.axis.empty())
-        return reading.notes.axis;
+    const std::string &noted = reading.notes.axis;
+    if (const char headed = axisOfHeadings(reading); !noted.empty() && headed != 0 && noted[0] != headed)
+        reading.remarks
+            .problem(
+                "axis",
+                REPORT_TEXT("report", "Axis: a line of the file names %1, the headings %2; %1 is taken."),
+                noted, std::string(1, headed))
+            .answers = {noted, std::string(1, headed)};
+    if (!noted.empty())
+        return noted;
     // "X (mm)": a target column named after the axis.
     for (const TableColumn &column : reading.body.columns) {
         std::string bare = withoutUnit(column.heading);
@@ -234,7 +254,10 @@ void readPositioning(TableReading &reading) {
                      signOf(reading), namesCorrection(reading)},
                     reading.choices, reading.result.remarks);
     reading.result.test = testFrom(measurementOf(std::move(passes), form, reading.result.remarks),
-                                   axisName(reading), reading.choices);
+                                   axisName(reading), reading.choices, reading.notes.edition);
+    auto &measurement = std::get<PositioningMeasurement>(reading.result.test->measurement);
+    if (measurement.axis.motion == Motion::linear)
+        measurement.conditions.feed = reading.notes.feed;
     reading.result.test->role = reading.stateFound;
 }
 

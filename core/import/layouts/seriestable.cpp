@@ -18,20 +18,6 @@ namespace {
 
 constexpr double secondsPerDay = 86'400;
 
-bool hasWord(std::string_view text, std::span<const std::string_view> words) {
-    const std::string low = lowerCase(text);
-    return std::ranges::any_of(words,
-                               [&](std::string_view word) { return low.find(word) != std::string::npos; });
-}
-
-SensorMeasures measuredBy(std::string_view heading) {
-    constexpr std::array<std::string_view, 3> air{"air", "ambient", "luft"};
-    constexpr std::array<std::string_view, 5> instrument{"instrument", "ballbar", "scale", "laser", "étalon"};
-    if (hasWord(heading, air))
-        return SensorMeasures::air;
-    return hasWord(heading, instrument) ? SensorMeasures::instrument : SensorMeasures::machine;
-}
-
 class SeriesReader {
 public:
     SeriesReader(TableReading &reading, bool temperatures)

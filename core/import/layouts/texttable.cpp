@@ -6,6 +6,7 @@
 #include "import/layouts/tablereading.h"
 #include "tables/contenterror.h"
 #include "tables/decodetext.h"
+#include "tables/richtext.h"
 
 #include <algorithm>
 #include <array>
@@ -285,6 +286,8 @@ bool isAnything(QByteArrayView) {
 
 void readTextTable(const ImportSource &source, Choices &choices, Imported &imported) {
     std::string text = decodedText(source.bytes, choices, imported);
+    if (text.starts_with("{\\rtf"))
+        text = textOfRtf(text);
     imported.table = readTable(std::move(text), {chosenOf<Delimiter>("delimiter", choices),
                                                  chosenOf<DecimalMark>("decimalMark", choices)});
     const CellTable &table = imported.table;

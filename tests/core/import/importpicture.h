@@ -79,11 +79,12 @@ inline QString picture(const Imported &imported) {
             values << number(*sensor.start);
         for (std::size_t i = 0; sensor.series && i < sensor.series->times.size(); ++i)
             values << number(sensor.series->times[i]) + u':' + number(sensor.series->temperatures[i]);
-        const char *what = sensor.measures == SensorMeasures::air       ? "air"
-                           : sensor.measures == SensorMeasures::machine ? "machine"
-                                                                        : "instrument";
+        const char *what = sensor.measures == SensorMeasures::air         ? "air"
+                           : sensor.measures == SensorMeasures::machine   ? "machine"
+                           : sensor.measures == SensorMeasures::notStated ? "–"
+                                                                          : "instrument";
         lines << QStringLiteral("sensor %1 %2 %3")
-                     .arg(QString::fromStdString(sensor.position), QString::fromLatin1(what),
+                     .arg(QString::fromStdString(sensor.position), QString::fromUtf8(what),
                           values.join(u' '));
     }
     return lines.join(u'\n');

@@ -111,7 +111,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         QTest::newRow("above targets across: " + name.simplified())
             << name + "Position (mm);0;100;200\n↑ 1 (µm);1.1;3;5\n↓ 1 (µm);2.1;4;6\n"
             << "ignored,run,run,run / 0 100 200 / ↑ 1.1 3 5 / ↓ 2.1 4 6 / " +
-                   QString(name.startsWith("Temp") ? "sensor Temperature machine 20.3 / " : "");
+                   QString(name.startsWith("Temp") ? "sensor Temperature – 20.3 / " : "");
     }
     // Headings that no line reaches: they may stand a column too far to the right.
     row("a heading more than cells", "Nr;Target (mm);Up 1 (µm);Up 2 (µm)\n0;1;2\n100;2;3\n200;3;4\n",
@@ -298,10 +298,10 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
     row("a temperature above the headings",
         "Date;12/03/2024\nTemperature;20.3 °C\nNo.;Position [mm];↑ [µm]\n1;0;1\n2;100;2\n",
-        "ignored,target,run+ / 0 100 / ↑ 1 2 / sensor Temperature machine 20.3 / ");
+        "ignored,target,run+ / 0 100 / ↑ 1 2 / sensor Temperature – 20.3 / ");
     row("a temperature with its unit beside",
         "Temperatur;20,3;°C\nSoll [mm];↑ 1 [µm];↑ 2 [µm]\n0;1;5\n100;2;6\n",
-        "target,run+1,run+2 / 0 100 / ↑ 1 2 / ↑ 5 6 / sensor Temperatur machine 20.3 / ");
+        "target,run+1,run+2 / 0 100 / ↑ 1 2 / ↑ 5 6 / sensor Temperatur – 20.3 / ");
     row("more headings than columns of numbers",
         "P (mm);forward (µm);;backward (µm);;;\n;1;Run 2;1;2;;Mean\n0;1;2;3;4\n100;5;6;7;8\n",
         "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 5 / ↓ 3 7 / ↑ 2 6 / ↓ 4 8 / ");
@@ -454,7 +454,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Posición objetivo [mm]\t-250,00\t-224,43\t-199,56\n"
         "Error de posición ida 1 [µm]\t2,0\t1,7\t2,9\nError de posición vuelta 1 [µm]\t-2,2\t-1,0\t-0,9\n",
         "ignored,run,run,run / -250 -224.43 -199.56 / ↑ 2 1.7 2.9 / ↓ -2.2 -1 -0.9 / sensor Temperatura "
-        "machine "
+        "– "
         "20.3 / ");
     row("few decimals among whole numbers", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;3.5;7\n200;4;8\n300;4;9\n",
         "target,run+1,run-1 / 0 100 200 300 / ↑ 1 3.5 4 4 / ↓ 5 7 8 9 / ");

@@ -106,6 +106,10 @@ private slots:
         QTest::newRow("two feeds") << "F1000" + block + "\nF5000" + block << "layout";
         for (const char *title : {"Measurement: Straightness in Y", "Geradheit", "Schleppfehler", "Lacet"})
             QTest::newRow(title) << title + block << "kind";
+        for (const char *heading : {"Status", "Valid", "gültig", "Statut"})
+            QTest::newRow(heading) << "Target (mm);Direction;Run;Deviation (µm);" + QByteArray(heading) +
+                                          "\n0;+;1;1;1\n100;+;1;3;0\n0;-;1;2;1\n100;-;1;4;1\n"
+                                   << "columns";
         QTest::newRow("thousands or decimals")
             << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1.000;3;4\n2.000;5;6\n") << "decimalMark";
     }
@@ -144,6 +148,64 @@ private slots:
         QCOMPARE(measurement.targets.at(1), target);
         QVERIFY(measurement.runs.at(0).deviations.at(0).has_value());
         QCOMPARE(*measurement.runs.at(0).deviations.at(0) * 1000, first);
+    }
+
+    /// What stands above a table goes where its label says, and nowhere else.
+    void putsStatementsWhereTheyBelong() {
+        const QByteArray table = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+        const auto read = [&](const char *lines) {
+            return importMeasurement(lines + ("\n" + table), "x.csv");
+        };
+        QCOMPARE(measurementOf(read("Feed: 5000 mm/min")).conditions.feed, std::optional(5000.0));
+        QCOMPARE(read("Laser serial no: 999\nMachine serial no: 123").machine.serialNumber, "123");
+        QCOMPARE(read("Machine: Foo\nLaser: XL80\nSerial number: 999").machine.serialNumber, "");
+        QCOMPARE(read("Machine: Foo\nSerial number: 123\nLaser: XL80").machine.serialNumber, "123");
+        for (const char *label :
+             {"Calibration date", "Kalibriert am", "Certificat valide jusqu'au", "Druckdatum"}) {
+            QCOMPARE(read(qPrintable(QString(label) + ": 2022-01-01")).test->date, std::nullopt);
+            QCOMPARE(read(qPrintable(QString(label) + ": 2022-01-01\nDate: 2024-05-05")).test->date,
+                     "2024-05-05");
+        }
+        QCOMPARE(read("Standard: ISO 230-2:1988").test->edition, "ISO 230-2:1988");
+        QCOMPARE(read("nach VDI/DGQ 3441").test->edition, "VDI/DGQ 3441:1977");
+        QCOMPARE(read("Circles after ISO 230-4:2005").test->edition, defaultEdition(Kind::positioning).word);
+        const auto measured = [&](const char *line) { return read(line).sensors.at(0).measures; };
+        QCOMPARE(measured("Room temperature: 22.5"), SensorMeasures::air);
+        QCOMPARE(measured("Laser temperature: 22.5"), SensorMeasures::instrument);
+        QCOMPARE(measured("Material temperature: 22.5"), SensorMeasures::machine);
+        QCOMPARE(measured("Temperature: 22.5"), SensorMeasures::notStated);
+        const Imported torn =
+            showMeasurement("Axis: Y\nX target (mm);X fwd (µm);X rev (µm)\n0;1;2\n100;3;4\n", "x.csv", {});
+        QCOMPARE(gradeOf(torn, "axis"), QuestionGrade::doubtful);
+    }
+
+    /// Means and standard deviations are no runs, whichever way their direction is written.
+    void readsNoStatistics() {
+        for (const char *back : {"rev", "bwd", "neg", "retour", "↓"}) {
+            const QByteArray up = QByteArray(back) == "↓" ? "↑" : "fwd";
+            const QByteArray text = "Target (mm);Mean " + up + " (µm);s " + up + " (µm);Mean " + back +
+                                    " (µm);s " + back + " (µm)\n0;1;0.1;2;0.1\n100;3;0.1;4;0.1\n";
+            const Imported imported = showMeasurement(text, "x.csv", {});
+            QVERIFY2(!imported.test, qPrintable(QString::fromUtf8(text) + testdata::picture(imported)));
+        }
+    }
+
+    /// A web page and a text of a word processor are called what they are.
+    void knowsWebPagesAndRichText() {
+        for (const char *page :
+             {"<!DOCTYPE html><html><table><tr><td>0</td></tr></table></html>", "<table>"}) {
+            try {
+                (void)importMeasurement(QByteArray(page), "x.html");
+                QFAIL("a web page is read");
+            } catch (const Error &error) {
+                QVERIFY(Language(Language::Id::english).sentence(error.message).contains("web page"));
+            }
+        }
+        const QByteArray row = R"(\trowd\cellx1000\cellx2000\cellx3000 )";
+        const QByteArray rich =
+            R"({\rtf1\ansi )" + row + R"(Target (mm)\cell Fwd (um)\cell Rev (um)\cell\row )" + row +
+            R"(0\cell 1.5\cell 2.5\cell\row )" + row + R"(100\cell 3.5\cell 4.5\cell\row})";
+        QCOMPARE(measurementOf(importMeasurement(rich, "x.rtf")).targets, (std::vector<double>{0, 100}));
     }
 
     void halvesDiameters_data() {
