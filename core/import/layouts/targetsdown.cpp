@@ -379,9 +379,9 @@ private:
     }
 
     void askForRepeated(std::size_t line) {
-        m.remarks.assumption({"layout", line},
-                             REPORT_TEXT("report", "Layout: targets stand twice in a "
-                                                   "run; the readings there are read as runs of their own."));
+        m.remarks.problem({"layout", line},
+                          REPORT_TEXT("report", "Layout: targets stand twice in a "
+                                                "run; the readings there are read as runs of their own."));
     }
 
     /// 0, 100, 100, 200: a repeated reading, not a new run.
@@ -392,8 +392,10 @@ private:
         for (std::size_t i = 1; i < m_pieces.size(); ++i) {
             const Piece &piece = m_pieces[i - 1];
             const Piece &next = m_pieces[i];
-            if (piece.block == next.block && piece.rows.size() > 1 && next.rows.size() > 1 &&
-                targetAt(piece.rows.back()) == targetAt(next.rows.front()) && rises(piece) == rises(next))
+            const bool isEither = piece.rows.size() > 1 || next.rows.size() > 1;
+            const bool areBoth = piece.rows.size() > 1 && next.rows.size() > 1;
+            if (piece.block == next.block && isEither && (!areBoth || rises(piece) == rises(next)) &&
+                targetAt(piece.rows.back()) == targetAt(next.rows.front()))
                 return askForRepeated(m.row(next.rows.front()).line);
         }
     }

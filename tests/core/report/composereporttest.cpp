@@ -671,6 +671,13 @@ private slots:
         const Cell information = blocksOf<Table>(composed)[0].rows[0][1];
         QVERIFY(information.pale);
         QCOMPARE(information.notes.back().text, "for information, not part of the verdict");
+        // They count where all tests are spoken of.
+        auto found = std::make_shared<Document>(*evaluated(asFound, asLeft));
+        Test incomplete = *found->tests[0];
+        std::get<PositioningMeasurement>(incomplete.measurement).conditions.common.complete = false;
+        found->tests[0] = std::make_shared<const Test>(incomplete);
+        const VerdictLine line = blocksOf<VerdictLine>(report(found, Language(Language::Id::english)))[0];
+        QVERIFY2(line.accordance.text.contains("; not: 1"), qPrintable(line.accordance.text));
     }
 
     /// Quantity by quantity: symbol, value, U, limit and verdict as on the page of the test.

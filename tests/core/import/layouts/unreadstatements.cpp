@@ -110,6 +110,9 @@ private slots:
             QTest::newRow(heading) << "Target (mm);Direction;Run;Deviation (µm);" + QByteArray(heading) +
                                           "\n0;+;1;1;1\n100;+;1;3;0\n0;-;1;2;1\n100;-;1;4;1\n"
                                    << "columns";
+        for (const char *rows : {"0;1;2\n100;3;4\n100;5;6\n300;7;8\n", "0;1;2\n0;3;4\n0;5;6\n100;7;8\n"})
+            QTest::newRow(QByteArray(rows).left(20).constData())
+                << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n") + rows << "layout";
         QTest::newRow("thousands or decimals")
             << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1.000;3;4\n2.000;5;6\n") << "decimalMark";
     }
