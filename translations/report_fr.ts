@@ -1900,6 +1900,10 @@
         <translation>m = %1&#x202f;; n = %2 par sens</translation>
     </message>
     <message>
+        <source>Test report</source>
+        <translation>Rapport d’essai</translation>
+    </message>
+    <message>
         <source>Acceptance test report</source>
         <translation>Rapport d’essai de réception</translation>
     </message>

@@ -98,9 +98,10 @@ bool readTemperature(const QString &line, FileNotes &notes) {
         return false;
     Sensor sensor;
     sensor.position = match.captured(1).trimmed().toStdString();
+    sensor.measures = measuredBy(sensor.position);
     // "Temperature" alone does not say of what.
-    sensor.measures = readHeading(sensor.position).unknownWords > 0 ? measuredBy(sensor.position)
-                                                                    : SensorMeasures::notStated;
+    if (sensor.measures == SensorMeasures::machine && readHeading(sensor.position).unknownWords == 0)
+        sensor.measures = SensorMeasures::notStated;
     sensor.start = value;
     notes.sensors.push_back(std::move(sensor));
     return true;

@@ -280,6 +280,24 @@ std::vector<int> simulatedTests(const EvaluatedDocument &evaluated) {
     return result;
 }
 
+/// The usual title speaks of an acceptance; where every test states another purpose, it is "Test report".
+std::shared_ptr<const Document> withTitle(std::shared_ptr<const Document> document,
+                                          const Language &language) {
+    bool isAnother = false;
+    for (const auto &test : document->tests) {
+        if (kindOf(*test) == Kind::drift)
+            continue;
+        isAnother = test->purpose != Purpose::notStated && test->purpose != Purpose::acceptance;
+        if (!isAnother)
+            break;
+    }
+    if (!isAnother || !document->report.title.empty())
+        return document;
+    auto titled = std::make_shared<Document>(*document);
+    titled->report.title = language.text(REPORT_TEXT("report", "Test report")).toStdString();
+    return titled;
+}
+
 /// Edition of a view; empty for a report under the editions of the file.
 QString viewedEdition(const EvaluatedDocument &evaluated) {
     const auto found = std::ranges::find_if(evaluated.tests, [](const auto &test) { return test->view; });
@@ -297,6 +315,7 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
     EvaluatedDocument evaluated = given;
     evaluated.document = withVisibleTexts(
         given.document, options.testFile.isEmpty() ? report.testFile : writeDocument(*given.document));
+    evaluated.document = withTitle(std::move(evaluated.document), language);
     const Document &document = *evaluated.document;
     const ReportHead &head = document.report;
     const Writer write(language);

@@ -44,7 +44,7 @@ constexpr std::array phrases{
     Phrases{Meaning::unknown, Sign::up,
             "*: +|↑|⇑|↗|→|->|-->|>>|=>|»|en: forward|forwards|fwd|up|upward|upwards|ascending|increasing|en "
             "fr: positive|fr: aller|positif|montee|montant|croissant|croissante|avant|ascendant|fr de: plus|"
-            "de: hin|hinfahrt|hinweg|hinlauf|vorwarts|vorwaerts|vorlauf|vor|positiv|aufwarts|aufwaerts|"
+            "de: hin|hinfahrt|hinweg|hinlauf|vorw|vorwarts|vorwaerts|vorlauf|vor|positiv|aufwarts|aufwaerts|"
             "steigend|it: andata|avanti|salita|crescente|it es: positivo|positiva|es: ida|adelante|subida|"
             "creciente|es it: ascendente|cs: tam|vpřed|nahoru|kladný|kladná|pl: naprzód|w przód|do przodu|"
             "dodatni|dodatnia|ru: вперёд|вперед|прямо|прямой|прямое|положительный|положительное|zh ja: 正向|"
@@ -53,7 +53,8 @@ constexpr std::array phrases{
             "*: -|↓|⇓|↘|←|<-|<--|<<|<=|«|en: backward|backwards|bwd|back|reverse|down|downward|downwards|"
             "descending|decreasing|en fr: negative|fr: retour|negatif|descente|descendant|decroissant|"
             "decroissante|arriere|moins|de: minus|ruck|rueck|zuruck|zurueck|ruckfahrt|rueckfahrt|ruckweg|"
-            "rueckweg|rucklauf|ruecklauf|ruckwarts|rueckwaerts|her|negativ|abwarts|abwaerts|fallend|it: "
+            "rueckweg|rucklauf|ruecklauf|ruckw|rueckw|ruckwarts|rueckwaerts|her|negativ|abwarts|abwaerts|"
+            "fallend|it: "
             "ritorno|indietro|discesa|decrescente|discendente|it es: negativo|negativa|es: vuelta|regreso|"
             "retorno|atras|retroceso|bajada|descendente|decreciente|cs: zpět|vzad|dolů|záporný|záporná|pl: "
             "wstecz|do tyłu|z powrotem|powrót|ujemny|ujemna|ru: назад|обратно|обратный|обратное|"
@@ -326,7 +327,7 @@ public:
         const auto *const first =
             std::ranges::find_if(precedence, [this](Meaning meaning) { return has(meaning); });
         m.meaning = first == precedence.end() ? Meaning::unknown : *first;
-        if (m_symbol && (m.direction || m.hint) && m_meanings.empty() && m.unknownWords < 2)
+        if (m_symbol && (m.direction || m.isHintWord) && m_meanings.empty() && m.unknownWords < 2)
             m.meaning = Meaning::statistic;
         m.isTarget = has(Meaning::target);
         m.isActual = has(Meaning::actual) || has(Meaning::reading);

@@ -100,14 +100,17 @@ std::string resolveLayout(TableReading &reading) {
     return choice.value;
 }
 
-/// The axis named by the headings of all columns read; 0 if there is none, or several.
+/// The axis named by the headings of all columns read; 0 if there is none, or several. A, B and V are letters
+/// of directions, too.
 char axisOfHeadings(const TableReading &reading) {
     char axis = 0;
     for (const ImportColumn &column : reading.result.columns) {
         const char named = column.role == ColumnRole::ignored ? '\0' : readHeading(column.heading).axis;
-        if (named != 0 && axis != 0 && named != axis)
+        if (named == 0 || std::string_view("XYZUW").find(named) == std::string_view::npos)
+            continue;
+        if (axis != 0 && named != axis)
             return 0;
-        axis = named != 0 ? named : axis;
+        axis = named;
     }
     return axis;
 }

@@ -677,7 +677,7 @@ private slots:
         std::get<PositioningMeasurement>(incomplete.measurement).conditions.common.complete = false;
         found->tests[0] = std::make_shared<const Test>(incomplete);
         const VerdictLine line = blocksOf<VerdictLine>(report(found, Language(Language::Id::english)))[0];
-        QVERIFY2(line.accordance.text.contains("; not: 1"), qPrintable(line.accordance.text));
+        QVERIFY2(line.accordance.text.plain().contains("; not: 1"), qPrintable(line.accordance.text.plain()));
     }
 
     /// Quantity by quantity: symbol, value, U, limit and verdict as on the page of the test.
@@ -788,6 +788,24 @@ private slots:
         const auto heads = blocksOf<TestHead>(report(document("two-tests"), Language(Language::Id::french)));
         QCOMPARE(heads[1].notice, "cycle en pas – résultat non utilisable en référence à l’ISO 230-2");
         QCOMPARE(heads[2].notice, QString());
+    }
+
+    /// No report of a periodic check calls itself one of an acceptance.
+    void theTitleKnowsThePurpose() {
+        const auto titleFor = [](Purpose purpose) {
+            Document changed = *document("long-axis-with-zone");
+            changed.report.title.clear();
+            for (auto &test : changed.tests) {
+                Test stated = *test;
+                stated.purpose = purpose;
+                test = std::make_shared<const Test>(stated);
+            }
+            return report(std::make_shared<const Document>(changed), Language(Language::Id::english)).title;
+        };
+        for (const Purpose purpose : {Purpose::notStated, Purpose::acceptance})
+            QVERIFY(titleFor(purpose).startsWith("Acceptance test report"));
+        for (const Purpose purpose : {Purpose::periodic, Purpose::afterCollision, Purpose::comparison})
+            QVERIFY(titleFor(purpose).startsWith("Test report"));
     }
 
     void theTitleOfTheFileReplacesOurs() {

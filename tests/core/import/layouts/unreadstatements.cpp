@@ -4,6 +4,8 @@
 
 #include "core/import/importpicture.h"
 
+#include "kernel/evaluation/edition.h"
+
 #include <QTest>
 
 using namespace palmer;
@@ -180,6 +182,16 @@ private slots:
         const Imported torn =
             showMeasurement("Axis: Y\nX target (mm);X fwd (µm);X rev (µm)\n0;1;2\n100;3;4\n", "x.csv", {});
         QCOMPARE(gradeOf(torn, "axis"), QuestionGrade::doubtful);
+    }
+
+    void knowsShortDirections() {
+        const Imported imported = importMeasurement(
+            QByteArray(
+                "Sollposition [mm];Abweichung vorw. 1 [µm];Abweichung rückw. 1 [µm]\n0;1;2\n100;3;4\n"),
+            "x.csv");
+        QCOMPARE(measurementOf(imported).runs.at(0).approach, Direction::positive);
+        QCOMPARE(measurementOf(imported).runs.at(1).approach, Direction::negative);
+        QVERIFY(!gradeOf(imported, "directions") && !gradeOf(imported, "columns"));
     }
 
     /// Means and standard deviations are no runs, whichever way their direction is written.
