@@ -2614,10 +2614,6 @@
         <translation>«&#xa0;%1&#xa0;»&#xa0;: la moitié de chaque diamètre est lue comme rayon.</translation>
     </message>
     <message>
-        <source>“%1: %2” was not used.</source>
-        <translation>«&#xa0;%1&#xa0;: %2&#xa0;» n’a pas été utilisé.</translation>
-    </message>
-    <message>
         <source>Columns: they are of several days (%1); all runs are read as those of one test.</source>
         <translation>Colonnes&#xa0;: elles sont de plusieurs jours (%1)&#x202f;; toutes les passes sont lues comme celles d’un même essai.</translation>
     </message>

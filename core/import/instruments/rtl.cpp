@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace palmer {
 
@@ -48,6 +49,7 @@ public:
         test.edition = m_choices.resolveEdition(Kind::positioning);
         test.measurement = std::move(measurement);
         m.test = std::move(test);
+        remarkUnused();
         remarkIgnored();
     }
 
@@ -305,7 +307,7 @@ private:
         if (!environment)
             return;
         PositioningConditions &conditions = measurement.conditions;
-        // In hPa, %, °C and µm/(m·°C); another unit behind the number is not converted but said.
+        // In hPa, %, °C and µm/(m·°C); another unit behind the number is not converted, the line is listed.
         const auto within = [&](std::string_view key, double low, double high) -> std::optional<double> {
             constexpr std::string_view units =
                 "||mbar|hpa|%|%rh|% rh|c|°c|degc|deg c|ppm|ppm/c|ppm/°c|um/m/c|µm/m/°c|";
@@ -318,8 +320,7 @@ private:
                 units.find('|' + lowerCase(withoutBlanks(text->substr(end))) + '|') != std::string_view::npos;
             if (isUsual && *value >= low && *value <= high)
                 return value;
-            m.remarks.note({}, REPORT_TEXT("report", "“%1: %2” was not used."), std::string(key),
-                           excerpt(*text));
+            m_refused.insert(lowerCase(key));
             return {};
         };
         conditions.airPressure = within("Air press", 500, 1200);
@@ -340,10 +341,29 @@ private:
         addSensor("Air temp", SensorMeasures::air);
         for (const std::string_view key : {"Mat temp 1", "Mat temp 2", "Mat temp 3"})
             addSensor(key, SensorMeasures::machine);
-        conditions.common.expansion.machine = within("Exp coeff", 0, 40);
+        conditions.common.expansion.machine = within("Exp coeff", 0.01, 40); // no machine has 0
         if (!conditions.common.sensors.empty())
             m.remarks.note({}, REPORT_TEXT("report", "Temperatures of the "
                                                      "file are taken as those at the start of the test."));
+    }
+
+    /// Lists what stands in the sections of statements and has no field here.
+    void remarkUnused() {
+        constexpr std::string_view used =
+            "|machine|serial no|date|by|axis|location|title|air temp|air press|air humid|"
+            "mat temp 1|mat temp 2|mat temp 3|exp coeff|";
+        UnusedLines unused;
+        for (const std::string_view name : {"USER-TEXT", "EQUIPMENT", "ENVIRONMENT"}) {
+            const Section *section = findSection(m_sections, name);
+            for (const SectionLine &line : section ? section->lines : std::vector<SectionLine>()) {
+                const bool isUsed = used.find('|' + lowerCase(line.key) + '|') != std::string_view::npos &&
+                                    std::string_view(name) != "EQUIPMENT" &&
+                                    !m_refused.contains(lowerCase(line.key));
+                if (!line.value.empty() && !isUsed)
+                    unused.add(line.line, std::string(line.key) + ": " + std::string(line.value));
+            }
+        }
+        unused.remark(m.remarks);
     }
 
     void remarkIgnored() {
@@ -378,6 +398,7 @@ private:
     std::vector<double> m_targets;
     std::vector<Row> m_rows;
     std::map<double, RunRows> m_runs;
+    std::set<std::string> m_refused; ///< keys with a value that has no place here
     std::string_view m_type;
     bool m_oneDirection = false;
 };
