@@ -2594,6 +2594,10 @@
         <translation>Une passe n’indique pas son sens et n’a pas été lue.</translation>
     </message>
     <message>
+        <source>it names another machine than the files before it; import the files of each machine into a file of their own</source>
+        <translation>il nomme une autre machine que les fichiers précédents&#x202f;; importer les fichiers de chaque machine dans un fichier à part</translation>
+    </message>
+    <message>
         <source>no run of the file states its direction</source>
         <translation>aucune passe du fichier n’indique son sens</translation>
     </message>

@@ -16,6 +16,8 @@
 #include "import/readers.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
+#include "tables/folded.h"
+#include "tables/numbercell.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -270,6 +272,14 @@ Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const 
     return imported;
 }
 
+bool areOtherMachines(const Machine &a, const Machine &b) {
+    const auto differ = [](const std::string &one, const std::string &other) {
+        return !one.empty() && !other.empty() && folded(withoutBlanks(one)) != folded(withoutBlanks(other));
+    };
+    const bool areNumbered = !a.serialNumber.empty() && !b.serialNumber.empty();
+    return areNumbered ? differ(a.serialNumber, b.serialNumber) : differ(a.name, b.name);
+}
+
 void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
                  bool keepBytes, const std::string &hash) {
     ImportedFile file;
@@ -284,15 +294,18 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
             field = value;
     };
     Machine &machine = document.machine;
-    fill(machine.name, imported.machine.name);
-    fill(machine.manufacturer, imported.machine.manufacturer);
-    fill(machine.model, imported.machine.model);
-    fill(machine.serialNumber, imported.machine.serialNumber);
-    fill(machine.controller, imported.machine.controller);
-    fill(machine.location, imported.machine.location);
-    fill(machine.condition, imported.machine.condition);
-    if (!machine.year)
-        machine.year = imported.machine.year;
+    const bool isOther = areOtherMachines(machine, imported.machine);
+    if (!isOther) { // else two machines would become one
+        fill(machine.name, imported.machine.name);
+        fill(machine.manufacturer, imported.machine.manufacturer);
+        fill(machine.model, imported.machine.model);
+        fill(machine.serialNumber, imported.machine.serialNumber);
+        fill(machine.controller, imported.machine.controller);
+        fill(machine.location, imported.machine.location);
+        fill(machine.condition, imported.machine.condition);
+        if (!machine.year)
+            machine.year = imported.machine.year;
+    }
     fill(document.report.operatorName, imported.operatorName);
     if (!imported.test) {
         bool added = false;
@@ -314,6 +327,9 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
             return remark.choice == "sign" && remark.grade == RemarkGrade::note;
         }))
         file.signAssumed = true;
+    if (isOther)
+        test.remarks += (test.remarks.empty() ? "" : "\n") + file.fileName + ": " + imported.machine.name +
+                        (imported.machine.serialNumber.empty() ? "" : ", " + imported.machine.serialNumber);
     test.id = freeId(wishedId(test), document.tests);
     test.imports = {file};
     if (!isJudged(test)) {

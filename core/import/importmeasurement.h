@@ -25,10 +25,14 @@ namespace palmer {
 [[nodiscard]] Imported showMeasurement(QByteArrayView bytes, const QString &fileName,
                                        const ImportOptions &options = {}, const ImportOptions &usual = {});
 
+/// True if both name a machine and not the same: their serial numbers differ or, where one is not stated,
+/// their names.
+[[nodiscard]] bool areOtherMachines(const Machine &a, const Machine &b);
+
 /// Adds imported data to a document: the test with the file's name, SHA-256 and, if wanted, bytes; machine,
-/// instrument and operator if the document states none; temperatures to the tests of the file, or to all
-/// tests if `test` is null there. `hash`: SHA-256 of the bytes if already known. Throws Error for
-/// temperatures without a test.
+/// instrument and operator if the document states none (another machine goes into the remarks of the test);
+/// temperatures to the tests of the file, or to all tests if `test` is null there. `hash`: SHA-256 of the
+/// bytes if already known. Throws Error for temperatures without a test.
 void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
                  bool keepBytes, const std::string &hash = {});
 

@@ -184,6 +184,34 @@ private slots:
         QCOMPARE(gradeOf(torn, "axis"), QuestionGrade::doubtful);
     }
 
+    /// Two files that name two machines never make one: its name from one and its serial number from the
+    /// other.
+    void keepsMachinesApart() {
+        struct Pair {
+            const char *first;
+            const char *second;
+            bool isOther;
+        };
+        for (const auto &[first, second, isOther] :
+             {Pair{"Machine: Foo\n", "Machine: Bar\nSerial number: 2\n", true},
+              Pair{"Machine: Foo\nSerial number: 1\n", "Machine: Foo\nSerial number: 2\n", true},
+              Pair{"Machine: Foo\nSerial number: 1\n", "Machine: FOO\n", false},
+              Pair{"Machine: Foo\nSerial number: 1\n", "Machine: Foo mill\nSerial number: 1\n", false},
+              Pair{"", "Machine: Bar\nSerial number: 2\n", false}}) {
+            const QByteArray table = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+            Document document;
+            addImported(document, importMeasurement(first + table, "1.csv"), first + table, "1.csv", false);
+            const Machine before = document.machine;
+            const Imported next = importMeasurement(second + table, "2.csv");
+            QCOMPARE(areOtherMachines(before, next.machine), isOther);
+            addImported(document, next, second + table, "2.csv", false);
+            QCOMPARE(document.machine == before, isOther ||
+                                                     next.machine.serialNumber == before.serialNumber ||
+                                                     next.machine.serialNumber.empty());
+            QCOMPARE(document.tests[1]->remarks.empty(), !isOther);
+        }
+    }
+
     void knowsShortDirections() {
         const Imported imported = importMeasurement(
             QByteArray(
