@@ -2598,6 +2598,10 @@
         <translation>il nomme une autre machine que les fichiers précédents&#x202f;; importer les fichiers de chaque machine dans un fichier à part</translation>
     </message>
     <message>
+        <source>questions about this measurement are open that want an answer each; import it first</source>
+        <translation>des questions sur cette mesure attendent chacune une réponse&#x202f;; l’importer d’abord</translation>
+    </message>
+    <message>
         <source>no run of the file states its direction</source>
         <translation>aucune passe du fichier n’indique son sens</translation>
     </message>

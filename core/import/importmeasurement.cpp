@@ -354,8 +354,13 @@ Document readTests(const QString &path, std::vector<Message> &guesses) {
         if (remark.grade != RemarkGrade::note)
             guesses.push_back(remark.message);
     }
-    for (const Question &question : imported.questions)
+    for (const Question &question : imported.questions) {
+        if (!question.canBeAssumed())
+            refuseContent(REPORT_TEXT("report",
+                                      "questions about this measurement are open that want an answer "
+                                      "each; import it first"));
         guesses.push_back(question.sentence);
+    }
     Document document;
     addImported(document, std::move(imported), bytes, path, false);
     return document;

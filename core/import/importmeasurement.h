@@ -37,7 +37,7 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
                  bool keepBytes, const std::string &hash = {});
 
 /// The tests of a test file, or the one of a measurement file; its assumptions are appended to `guesses`.
-/// Throws Error.
+/// Throws Error, also where a question wants an answer of its own.
 [[nodiscard]] Document readTests(const QString &path, std::vector<Message> &guesses);
 
 } // namespace palmer

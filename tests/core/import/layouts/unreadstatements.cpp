@@ -6,6 +6,7 @@
 
 #include "kernel/evaluation/edition.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 using namespace palmer;
@@ -210,6 +211,22 @@ private slots:
                                                      next.machine.serialNumber.empty());
             QCOMPARE(document.tests[1]->remarks.empty(), !isOther);
         }
+    }
+
+    /// A comparison takes no measurement whose doubts nobody has answered.
+    void comparesNothingDoubtful() {
+        const QTemporaryDir folder;
+        const auto guessesOf = [&](const QByteArray &unit) {
+            QFile file(folder.filePath("x.csv"));
+            (void)file.open(QIODevice::WriteOnly);
+            file.write("Target (mm);Fwd (" + unit + ");Rev (" + unit + ")\n0;1;2\n100;3;4\n200;5;6\n");
+            file.close();
+            std::vector<Message> guesses;
+            (void)readTests(file.fileName(), guesses);
+            return guesses.size();
+        };
+        (void)guessesOf("µm");
+        QVERIFY_EXCEPTION_THROWN(guessesOf("mil"), Error);
     }
 
     void knowsShortDirections() {
