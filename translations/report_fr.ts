@@ -2602,6 +2602,10 @@
         <translation>des questions sur cette mesure attendent chacune une réponse&#x202f;; l’importer d’abord</translation>
     </message>
     <message>
+        <source>the template is of the machine with the serial number %1, the file of the one with %2</source>
+        <translation>le modèle est celui de la machine de numéro de série %1, le fichier celui de la machine %2</translation>
+    </message>
+    <message>
         <source>no run of the file states its direction</source>
         <translation>aucune passe du fichier n’indique son sens</translation>
     </message>

@@ -10,7 +10,9 @@
 #include "document/setfield.h"
 #include "document/templatefile.h"
 #include "import/choices.h"
+#include "import/importmeasurement.h"
 #include "kernel/evaluation/edition.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 
@@ -33,6 +35,12 @@ void apply(Document &document, const Instrument &instrument) {
 }
 
 void apply(Document &document, const Machine &machine) {
+    const std::string &own = document.machine.serialNumber;
+    if (!own.empty() && !machine.serialNumber.empty() && areOtherMachines(document.machine, machine))
+        refuseContent(REPORT_TEXT("report",
+                                  "the template is of the machine with the serial number %1, the file of the "
+                                  "one with %2"),
+                      machine.serialNumber, own);
     document.machine = machine;
 }
 

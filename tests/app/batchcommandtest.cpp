@@ -460,6 +460,15 @@ void BatchCommandTest::templatesAreApplied() {
     const QJsonObject results = object(one.out);
     QCOMPARE(results["machine"].toObject()["name"].toString(), QString("Big mill"));
     QCOMPARE(results["tests"].toArray()[0].toObject()["limits"].toString(), QString("exceeded"));
+    // The machine of a file is never replaced by another one.
+    write(at("own.palmer"),
+          R"({"format": "palmer test report", "version": 1, "machine": {"serialNumber": "1"}})");
+    for (const auto &[serial, code] : {std::pair{"1", 0}, std::pair{"2", 3}}) {
+        write(at("n.palmer-template"), R"({"format": "palmer template", "version": 1, "name": "n",
+              "machine": {"name": "Mill", "serialNumber": ")" +
+                                           QByteArray(serial) + R"("}})");
+        QCOMPARE(runCli({"evaluate", at("own.palmer"), "--template", at("n.palmer-template")}).code, code);
+    }
     write(at("bad.palmer-template"), R"({"format": "palmer template"})");
     // A file that cannot be read, once, however many are worked on.
     for (const char *name : {"bad.palmer-template", "nowhere.palmer-template"}) {
