@@ -51,14 +51,15 @@ SaidUnit unitOfNote(const std::string &line) {
 /// label says of the numbers. What is not understood is kept in its words, so that it is asked for.
 bool readForm(const std::string &line, FileNotes &notes) {
     static const QRegularExpression scale(
-        QStringLiteral(R"(\b(?:scale|scaling|multipl\w*|fa[ck]t(?:or|eur|eurs|oren)|fattore|tenths?|zehntel|)"
-                       R"(dixi[eè]mes?|hundredths?|hundertstel|centi[eè]mes?|thousandths?|tausendstel|)"
-                       R"(milli[eè]mes?)\b)"),
+        QStringLiteral(
+            R"(\b(?:scal(?:e factor|ing)|multipl\w*|fa[ck]t(?:or|eur|eurs|oren)|fattore|tenths?|zehntel|)"
+            R"(dixi[eè]mes?|hundredths?|hundertstel|centi[eè]mes?|thousandths?|tausendstel|)"
+            R"(milli[eè]mes?)\b)"),
         QRegularExpression::CaseInsensitiveOption);
     static const QRegularExpression behindIn(QStringLiteral(R"(\b(?:in|en)\s+\S+(?:\s\S+)?$)"));
     static const QRegularExpression sign(
         QStringLiteral(
-            R"(\b(?:signs?|vorzeichen|signes?|segn[oi]|signos?|inwards?|nach innen|vers l['’]int[eé]rieur|)"
+            R"(\b(?:signs?(?![-\s]*off)|vorzeichen|signes?|segn[oi]|signos?|inwards?|nach innen|vers l['’]int[eé]rieur|)"
             R"(verso l['’]interno|hacia dentro)\b)"),
         QRegularExpression::CaseInsensitiveOption);
     const QString text = QString::fromStdString(line).trimmed();
@@ -72,8 +73,8 @@ bool readForm(const std::string &line, FileNotes &notes) {
         unit = said;
         return true;
     }
-    static const QRegularExpression other(
-        QStringLiteral("resol|auflos|risol|cert|sicher|toler|limit|accura|genau|precis"));
+    static const QRegularExpression other(QStringLiteral(
+        "resol|auflos|risol|cert|sicher|toler|limit|accura|genau|precis|dead path|travel|distan"));
     const bool isPart = !said.foreign.empty() && said.foreign.front() >= '0' && said.foreign.front() <= '9' &&
                         !other.match(QString::fromStdString(folded(line))).hasMatch();
     if ((isPart || scale.match(text).hasMatch()) && !unit.isSaid())

@@ -410,7 +410,7 @@ private:
 
     void takeUnknown(const Token &token) {
         constexpr std::string_view axes = "xyzuvwabc";
-        constexpr std::string_view symbols = "smera"; // in ISO 230-2: "R↑", "2s↓"
+        constexpr std::string_view symbols = "smer"; // in ISO 230-2, per target: "R↑", "2s↓"
         m_symbol = token.text.size() == 1 && symbols.find(token.text[0]) != std::string_view::npos;
         if (token.text.size() == 1 && axes.find(token.text[0]) != std::string_view::npos) {
             if (m.axis == 0)

@@ -107,6 +107,9 @@ private slots:
         const QByteArray block = "\nTarget (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
         QTest::newRow("two machines") << "Machine: A" + block + "\nMachine: B" + block << "layout";
         QTest::newRow("two feeds") << "F1000" + block + "\nF5000" + block << "layout";
+        QTest::newRow("letters behind directions")
+            << QByteArray("Target (mm);Fwd A (µm);Rev A (µm);Fwd B (µm);Rev B (µm)\n0;1;2;3;4\n100;3;4;5;6\n")
+            << "axis";
         for (const char *title : {"Measurement: Straightness in Y", "Geradheit", "Schleppfehler", "Lacet"})
             QTest::newRow(title) << title + block << "kind";
         for (const char *heading : {"Status", "Valid", "gültig", "Statut"})
@@ -126,6 +129,20 @@ private slots:
         const bool isRefused = imported.refusal.has_value();
         QVERIFY2(isRefused || gradeOf(imported, id.toStdString()) == QuestionGrade::doubtful,
                  qPrintable(testdata::picture(imported) + testdata::questions(imported)));
+    }
+
+    /// What stands above many tables and says nothing of their numbers raises no doubt.
+    void doubtsNothingElse() {
+        const QByteArray table = "Target (mm);Fwd 1;Rev 1\n0;1.5;2\n100;3;4\n200;5;6\n";
+        for (const char *line :
+             {"Resolution 0.1 µm", "Laser: XL-80", "Travel 500 mm", "Measured in hall 3",
+              "Scale: Heidenhain LS 187", "Sign-off: QA", "Signature: J. Doe", "Dead path 0.1 m",
+              "Uncertainty 0.5 µm", "Rate 10 in/min", "Test 1/10", "Values after compensation", "Grid 100 mm",
+              "Deviations in µm", "Calibration date: 2023-01-01"}) {
+            const Imported imported = importMeasurement(line + ("\n" + table), "x.csv");
+            QVERIFY2(std::ranges::all_of(imported.questions, &Question::canBeAssumed),
+                     qPrintable(QString(line) + testdata::questions(imported)));
+        }
     }
 
     void readsWhatItUnderstands_data() {
