@@ -5720,10 +5720,6 @@ est la même machine que&#xa0;:</translation>
         <translation>pas de relevé</translation>
     </message>
     <message>
-        <source>Test report</source>
-        <translation>Rapport d’essai</translation>
-    </message>
-    <message>
         <source>Pages of the test</source>
         <translation>Pages de l’essai</translation>
     </message>

@@ -12,7 +12,6 @@
 #include "import/choices.h"
 #include "import/importmeasurement.h"
 #include "kernel/evaluation/edition.h"
-#include "tables/contenterror.h"
 
 #include <algorithm>
 
@@ -37,10 +36,11 @@ void apply(Document &document, const Instrument &instrument) {
 void apply(Document &document, const Machine &machine) {
     const std::string &own = document.machine.serialNumber;
     if (!own.empty() && !machine.serialNumber.empty() && areOtherMachines(document.machine, machine))
-        refuseContent(REPORT_TEXT("report",
-                                  "the template is of the machine with the serial number %1, the file of the "
-                                  "one with %2"),
-                      machine.serialNumber, own);
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report",
+                                 "the template is of the machine with the serial number %1, the file of the "
+                                 "one with %2"),
+                     {machine.serialNumber, own}});
     document.machine = machine;
 }
 

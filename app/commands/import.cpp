@@ -13,7 +13,6 @@
 #include "export/answersjson.h"
 #include "import/importmeasurement.h"
 #include "kernel/numerics/runinbackground.h"
-#include "tables/contenterror.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -117,9 +116,11 @@ int runImport(const Invocation &invocation) {
     for (Read &read : files) {
         const auto add = [&]() -> int {
             if (areOtherMachines(document.machine, read.imported.machine))
-                refuseContent(REPORT_TEXT("report",
-                                          "it names another machine than the files before it; import the "
-                                          "files of each machine into a file of their own"));
+                throw Error(
+                    Error::Kind::content,
+                    {REPORT_TEXT("report", "it names another machine than the files before it; import the "
+                                           "files of each machine into a file of their own"),
+                     {}});
             addImported(document, std::move(read.imported), read.bytes, read.file, keep, read.hash.get());
             return done;
         };
