@@ -462,7 +462,8 @@ void BatchCommandTest::templatesAreApplied() {
     QCOMPARE(results["tests"].toArray()[0].toObject()["limits"].toString(), QString("exceeded"));
     // The machine of a file is never replaced by another one.
     write(at("own.palmer"),
-          R"({"format": "palmer test report", "version": 1, "machine": {"serialNumber": "1"}})");
+          R"({"format": "palmer test report", "version": 1, "machine": {"serialNumber": "1"},
+          "tests": [{"kind": "drift", "id": "d", "times": [0, 1], "deviations": [0, 0]}]})");
     for (const auto &[serial, code] : {std::pair{"1", 0}, std::pair{"2", 3}}) {
         write(at("n.palmer-template"), R"({"format": "palmer template", "version": 1, "name": "n",
               "machine": {"name": "Mill", "serialNumber": ")" +

@@ -321,8 +321,10 @@ private:
     void keepOneStem() {
         const auto stemOf = [&](std::size_t c) {
             const std::size_t letters = words(c).hint ? 1 : 0; // "1A" next to "1R"
-            // Readings of another day are another test.
+            // Readings of another day are another test; so may be "Fwd A" and "Fwd B".
+            const bool isLettered = words(c).direction && words(c).axis >= 'A' && words(c).axis <= 'C';
             return words(c).group + (words(c).unknownWords > letters ? words(c).stem : std::string()) +
+                   (isLettered ? std::string(1, words(c).axis) : std::string()) +
                    isoDate(m_heads[c].heading).value_or(std::string());
         };
         std::map<std::string, std::size_t> counts;

@@ -108,8 +108,8 @@ private slots:
         QTest::newRow("two machines") << "Machine: A" + block + "\nMachine: B" + block << "layout";
         QTest::newRow("two feeds") << "F1000" + block + "\nF5000" + block << "layout";
         QTest::newRow("letters behind directions")
-            << QByteArray("Target (mm);Fwd A (µm);Rev A (µm);Fwd B (µm);Rev B (µm)\n0;1;2;3;4\n100;3;4;5;6\n")
-            << "axis";
+            << QByteArray("Target (mm);Fwd A (µm);Bwd A (µm);Fwd B (µm);Bwd B (µm)\n0;1;2;3;4\n100;3;4;5;6\n")
+            << "columns";
         for (const char *title : {"Measurement: Straightness in Y", "Geradheit", "Schleppfehler", "Lacet"})
             QTest::newRow(title) << title + block << "kind";
         for (const char *heading : {"Status", "Valid", "gültig", "Statut"})
