@@ -364,8 +364,15 @@ private:
                                   "duration: %4."),
             counted(drift.channels.size()), counted(drift.temperatures.size()), counted(drift.times.size()),
             Number{drift.times.back() - drift.times.front(), Quantity::time});
+        finish(std::move(drift));
+    }
+
+    /// The day of the first reading is that of the test.
+    void finish(DriftMeasurement drift) {
         Test test;
         test.measurement = std::move(drift);
+        if (m_isDated)
+            test.date = isoDate(m.cellText(m_rows.front(), m_date.value_or(m_time)));
         m.result.test = std::move(test);
     }
 
@@ -400,9 +407,7 @@ private:
         m.remarks.note({}, REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
                        counted(drift.times.size()),
                        Number{drift.times.back() - drift.times.front(), Quantity::time});
-        Test test;
-        test.measurement = std::move(drift);
-        m.result.test = std::move(test);
+        finish(std::move(drift));
     }
 
     TableReading &m;

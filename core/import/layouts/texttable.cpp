@@ -234,8 +234,9 @@ std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &import
 }
 
 void takeDate(const std::optional<std::string> &date, const std::string &text, Test &test, Remarks &remarks) {
-    test.date = date;
-    if (date || text.empty())
+    if (date)
+        test.date = date;
+    if (test.date || text.empty())
         return;
     test.remarks = text;
     remarks.note({},

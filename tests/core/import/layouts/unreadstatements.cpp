@@ -246,6 +246,16 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(guessesOf("mil"), Error);
     }
 
+    void driftsHaveTheDayOfTheirFirstReading() {
+        for (const char *text :
+             {"Timestamp;Dev (µm)\n2024-01-31T23:50:00;0\n2024-02-01T00:10:00;1\n2024-02-01T00:30:00;2\n",
+              "Date;Time;Dev (µm)\n2024-01-31;23:50;0\n2024-02-01;00:10;1\n2024-02-01;00:30;2\n"}) {
+            const Imported imported = importMeasurement(QByteArray(text), "x.csv");
+            QCOMPARE(imported.test->date, "2024-01-31");
+            QCOMPARE(std::get<DriftMeasurement>(imported.test->measurement).times.back(), 2400.0);
+        }
+    }
+
     void knowsShortDirections() {
         const Imported imported = importMeasurement(
             QByteArray(
