@@ -265,6 +265,8 @@ private:
                   both([](const Language &language) { return coverageText(Writer(language)); }));
         const std::array stated{
             std::pair{REPORT_TEXT("report", "Place"), head().place},
+            std::pair{REPORT_TEXT("report", "Supplier"), head().supplier.name},
+            std::pair{REPORT_TEXT("report", "Control"), document().machine.controller},
             std::pair{REPORT_TEXT("report", "Order"), head().order},
             std::pair{REPORT_TEXT("report", "Procedure"), head().procedure},
             std::pair{REPORT_TEXT("report", "Deviations from the method"), head().deviationsFromMethod},
@@ -400,7 +402,32 @@ private:
                         said("dcc:text", Both{there[i].value, here[i].value});
                     });
             }
+            const auto *axis = std::get_if<PositioningMeasurement>(&test.measurement);
+            if (axis && !axis->excluded.empty())
+                condition(both(REPORT_TEXT("report", "Excluded readings")), [&] {
+                    said("dcc:text",
+                         both([&](const Language &language) { return excludedText(*axis, language); }));
+                });
+            if (!QString::fromStdString(test.remarks).trimmed().isEmpty())
+                condition(both(REPORT_TEXT("report", "Remarks")), [&] { said("dcc:text", test.remarks); });
         });
+    }
+
+    /// "3↓ (j = 1): 95.4 µm; beam interrupted", a line a reading.
+    static QString excludedText(const PositioningMeasurement &measurement, const Language &language) {
+        QStringList lines;
+        for (const ExcludedReading &reading : measurement.excluded) {
+            const auto runs = std::span(measurement.runs).first(static_cast<std::size_t>(reading.run));
+            const Direction approach = runs.back().approach;
+            const auto number = std::ranges::count(runs, approach, &Run::approach);
+            lines << QStringLiteral("%1%2 (j = %3): %4; %5")
+                         .arg(reading.target)
+                         .arg(arrow(approach))
+                         .arg(number)
+                         .arg(language.quantity(reading.value, deviationQuantity(measurement.axis)),
+                              QString::fromStdString(reading.reason));
+        }
+        return lines.join(u'\n');
     }
 
     // ---- Results ----

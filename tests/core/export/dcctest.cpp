@@ -112,6 +112,8 @@ class DccTest : public QObject {
 private slots:
     void everyValueUncertaintyAndLimitIsInIt_data() { addFiles(); }
     void everyValueUncertaintyAndLimitIsInIt();
+    void statementsAreInIt_data() { addFiles(); }
+    void statementsAreInIt();
     void theSchemaTakesIt_data() { addFiles(); }
     void theSchemaTakesIt();
     void unitsAreThoseOfDSi();
@@ -174,6 +176,26 @@ void DccTest::everyValueUncertaintyAndLimitIsInIt() {
         }
         if (evaluation.edition)
             QCOMPARE(at, numbers.size());
+    }
+}
+
+void DccTest::statementsAreInIt() {
+    QFETCH(QString, path);
+    const EvaluatedDocument evaluated = evaluatedFile(path);
+    const QByteArray certificate = dcc(evaluated);
+    const Document &document = *evaluated.document;
+    std::vector<std::string> texts{document.report.supplier.name, document.machine.controller};
+    for (const auto &test : document.tests) {
+        if (kindOf(*test) != Kind::drift)
+            texts.push_back(test->remarks);
+        if (const auto *axis = std::get_if<PositioningMeasurement>(&test->measurement)) {
+            for (const ExcludedReading &reading : axis->excluded)
+                texts.push_back(reading.reason);
+        }
+    }
+    for (const std::string &text : texts) {
+        for (const QString &line : QString::fromStdString(text).split('\n'))
+            QVERIFY2(certificate.contains(line.trimmed().toHtmlEscaped().toUtf8()), qPrintable(line));
     }
 }
 
