@@ -263,6 +263,7 @@ struct Reading {
     double rival = 0;            ///< the score before a penalty
     bool hasMark = false;        ///< a number with decimals
     bool mayBeGrouped = false;   ///< all of them may have thousands separators
+    bool isRound = false;        ///< each of them ends with 0, as 1.000 and 1.500 do
     double broken = 0;           ///< cells that are neither a complete number nor a word
     std::size_t columns = 0;     ///< of most rows
     std::vector<double> numbers; ///< of the rows that are alike
@@ -302,6 +303,7 @@ struct SampleSigns {
     bool spaced = false;
     bool hasMark = false; ///< a number with decimals
     bool proven = false;  ///< a number whose mark cannot separate thousands
+    bool fine = false;    ///< a number with decimals that does not end with 0
 };
 
 /// "1.000", "25,400": thousands, or decimals of a short axis. "0.125", "1.5" and "1200.000" are not
@@ -331,6 +333,7 @@ SampleRow readSampleRow(std::string_view sample, std::span<const TableCell> cell
             const bool isMarked = text.find(mark) != std::string_view::npos;
             signs.hasMark |= isMarked;
             signs.proven |= isMarked && !mayBeGrouped(text, mark);
+            signs.fine |= isMarked && !text.ends_with('0');
             signs.torn += isTorn(text) ? 1 : 0;
             signs.spaced |= i > 0 && cell.begin > 0 && sample[cell.begin - 1] == ' ';
         } else if ((cell.kind == CellKind::grouped || cell.kind == CellKind::broken || isUncut(text)) &&
@@ -361,7 +364,7 @@ std::size_t usualColumns(const std::vector<SampleRow> &rows) {
 Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mark, bool comments) {
     Scanner scanner(sample, delimiter, mark, comments);
     scanner.scan(sampleRows);
-    Reading result{delimiter, mark, 0, 0, false, false, 0, 0, {}, {}};
+    Reading result{delimiter, mark, 0, 0, false, false, false, 0, 0, {}, {}};
     std::vector<SampleRow> rows;
     SampleSigns signs;
     for (const TableRow &row : scanner.rows) {
@@ -375,6 +378,7 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
     result.hasMark = signs.hasMark;
     result.broken = signs.broken;
     result.mayBeGrouped = signs.hasMark && !signs.proven;
+    result.isRound = !signs.fine;
     if (rows.empty()) {
         result.score = -std::numeric_limits<double>::infinity();
         return result;
@@ -453,11 +457,12 @@ void resolveForm(CellTable &table, std::string_view text, const TableOptions &op
                 best = readings.back();
         }
     }
-    const bool doubtful = best.mayBeGrouped || std::ranges::any_of(readings, [&](const Reading &reading) {
-                              return reading.rival > 0.5 * best.score && reading.broken <= best.broken &&
-                                     reading.numbers != best.numbers && !onlyPartsWords(reading, best);
-                          });
-    const Origin origin = doubtful ? Origin::guessed : Origin::recognised;
+    const bool hasRival = std::ranges::any_of(readings, [&](const Reading &reading) {
+        return reading.rival > 0.5 * best.score && reading.broken <= best.broken &&
+               reading.numbers != best.numbers && !onlyPartsWords(reading, best);
+    });
+    table.isFormDoubtful = hasRival || (best.mayBeGrouped && best.isRound);
+    const Origin origin = hasRival || best.mayBeGrouped ? Origin::guessed : Origin::recognised;
     table.delimiter = {best.delimiter, options.delimiter ? Origin::chosen : origin};
     table.decimalMark = {best.mark, options.decimalMark ? Origin::chosen : origin};
 }

@@ -90,7 +90,8 @@ public:
 
     Choice<Delimiter> delimiter;
     Choice<DecimalMark> decimalMark;
-    bool isPlaced = false; ///< the file states the column of each cell, as workbooks do
+    bool isFormDoubtful = false; ///< of the guessed ones: other numbers are as likely
+    bool isPlaced = false;       ///< the file states the column of each cell, as workbooks do
 
 private:
     void joinWords();

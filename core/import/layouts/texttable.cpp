@@ -295,12 +295,14 @@ void readTextTable(const ImportSource &source, Choices &choices, Imported &impor
     resolveWord("delimiter", table.delimiter, choices);
     resolveWord("decimalMark", table.decimalMark, choices);
     if (table.decimalMark.origin == Origin::guessed || table.delimiter.origin == Origin::guessed)
-        imported.remarks.problem(
-            "decimalMark", table.decimalMark.value == DecimalMark::comma
-                               ? REPORT_TEXT("report", "Decimal mark: the numbers can be read in several "
-                                                       "ways; the comma is taken as decimal mark.")
-                               : REPORT_TEXT("report", "Decimal mark: the numbers can be read in several "
-                                                       "ways; the point is taken as decimal mark."));
+        imported.remarks.add(table.isFormDoubtful ? RemarkGrade::problem : RemarkGrade::assumption,
+                             "decimalMark",
+                             {table.decimalMark.value == DecimalMark::comma
+                                  ? REPORT_TEXT("report", "Decimal mark: the numbers can be read in several "
+                                                          "ways; the comma is taken as decimal mark.")
+                                  : REPORT_TEXT("report", "Decimal mark: the numbers can be read in several "
+                                                          "ways; the point is taken as decimal mark."),
+                              {}});
     readMeasurementTable(choices, imported);
 }
 

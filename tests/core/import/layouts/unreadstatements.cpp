@@ -119,6 +119,8 @@ private slots:
         for (const char *rows : {"0;1;2\n100;3;4\n100;5;6\n300;7;8\n", "0;1;2\n0;3;4\n0;5;6\n100;7;8\n"})
             QTest::newRow(QByteArray(rows).left(20).constData())
                 << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n") + rows << "layout";
+        QTest::newRow("thousands and a half, or decimals")
+            << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1.000;3;4\n1.500;5;6\n") << "decimalMark";
         QTest::newRow("thousands or decimals")
             << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1.000;3;4\n2.000;5;6\n") << "decimalMark";
     }
@@ -142,6 +144,19 @@ private slots:
             const Imported imported = importMeasurement(line + ("\n" + table), "x.csv");
             QVERIFY2(std::ranges::all_of(imported.questions, &Question::canBeAssumed),
                      qPrintable(QString(line) + testdata::questions(imported)));
+        }
+    }
+
+    /// Three decimals of micrometres are no thousands.
+    void takesThreeDecimals() {
+        for (const char delimiter : {',', ';', '\t'}) {
+            QByteArray text =
+                "Target (mm);Fwd (µm);Rev (µm)\n0;1.234;2.345\n100;3.456;4.567\n200;5.678;6.789\n";
+            text.replace(';', delimiter);
+            const Imported imported = importMeasurement(text, "x.csv");
+            QVERIFY2(std::ranges::all_of(imported.questions, &Question::canBeAssumed),
+                     qPrintable(testdata::questions(imported)));
+            QCOMPARE(*measurementOf(imported).runs.at(0).deviations.at(0) * 1000, 1.234);
         }
     }
 
