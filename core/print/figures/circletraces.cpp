@@ -189,8 +189,12 @@ void drawSample(CircleFrame &frame, const QRectF &box, const CircleLegendEntry &
         return drawContact(frame, middle + QPointF(contactWidth * mm, 0), false);
     case CircleLegendSample::repetitions: {
         double y = middle.y() - 0.6 * mm;
-        for (const FigureRole role : {FigureRole::counterclockwise, FigureRole::clockwise}) {
-            QPen ink = frame.pen(role);
+        for (const Sense sense : {Sense::counterclockwise, Sense::clockwise}) {
+            if (std::ranges::none_of(frame.figure().traces, [&](const CircleTrace &trace) {
+                    return trace.repetition && trace.sense == sense;
+                }))
+                continue;
+            QPen ink = frame.pen(sense);
             ink.setColor(blend(ink.color(), frame.colour(FigureRole::background), repetitionStrength));
             ink.setWidthF(ink.widthF() / 2);
             p.setPen(ink);

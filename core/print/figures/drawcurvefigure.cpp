@@ -539,9 +539,12 @@ private:
         std::vector<QPointF> places{QPointF(placed.at + placed.towards * beside, y(limit)),
                                     QPointF(placed.at - placed.towards * beside, y(limit)),
                                     QPointF(placed.at, above), QPointF(placed.at, below)};
-        for (const double away : {-1.0, 1.0, -2.0, 2.0, -3.0, 3.0}) {
-            for (const double side : {1.0, -1.0})
+        for (const double away : {1.0, 2.0, 3.0}) {
+            for (const double side : {1.0, -1.0}) {
+                places.emplace_back(placed.at + side * beside, y(limit) - away * letterHeight);
                 places.emplace_back(placed.at + side * beside, y(limit) + away * letterHeight);
+            }
+            places.emplace_back(placed.at, below + away * letterHeight); // below the letter
         }
         const auto faults = [&](QPointF middle) { // the worst first
             const QRectF box = boxAt(middle);

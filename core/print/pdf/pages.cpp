@@ -218,7 +218,8 @@ private:
     /// If results that do not fit on the page of their head are followed by other sections, their first rows
     /// stay there, and the last ones go with their small print. Returns the first strip of the next page.
     std::size_t placeFirstRows(const Strips &strips, std::size_t from, std::size_t end) {
-        constexpr std::size_t fewest = 4; // rows on either page
+        constexpr std::size_t fewest = 4;          // rows on this page
+        constexpr std::size_t fewestFollowing = 3; // on the next
         if (m_page.running || end == strips.size() || strips[end].pageBreak || strips[end].running)
             return from;
         std::size_t first = from; // row
@@ -227,7 +228,7 @@ private:
         std::size_t behind = first; // the rows
         while (behind < end && strips[behind].head)
             ++behind;
-        for (std::size_t next = behind - std::min(fewest, behind); next >= first + fewest; --next) {
+        for (std::size_t next = behind - std::min(fewestFollowing, behind); next >= first + fewest; --next) {
             const double missing = needed(strips, from, next) - room();
             if (missing > 0 && !narrowGaps(strips, from, next, missing))
                 continue;

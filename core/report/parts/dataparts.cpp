@@ -433,6 +433,52 @@ bool printsReadings(const PositioningPart &part) {
     return !part.leavesOut(ReportPart::readings) && !part.measurement.runs.empty() && !meansAreReadings(part);
 }
 
+/// The limits of the deviations of each direction and their half widths, as the edition of 1988 tabulates
+/// them: x̄ + 3s, x̄ − 3s, 3s.
+Table limitsOfTargets(const PositioningPart &part) {
+    const Language &language = part.write.language();
+    const Edition &edition = part.edition();
+    const QString letter = letterOfTargets(edition);
+    const int digits = statisticDecimals(part.measurement);
+    const QString factor = language.number(edition.c, Quantity::number, -1);
+    Table table;
+    table.columns = {targetColumn(part), positionColumn(part)};
+    for (std::size_t i = 0; i < part.results.targets.size(); ++i)
+        table.rows.push_back(
+            {QString::number(i + 1),
+             language.number(part.measurement.targets[i], part.along(), positionDecimals(part.measurement))});
+    for (const Direction direction : {Direction::positive, Direction::negative}) {
+        if (runsOf(part.measurement, direction).size() < 2)
+            continue;
+        const QString towards = arrow(direction);
+        const auto add = [&](Phrase title, auto value) {
+            table.columns.push_back({std::move(title), language.unit(part.deviation()), Alignment::decimal});
+            for (std::size_t i = 0; i < table.rows.size(); ++i) {
+                const TargetStatistics &target = part.results.targets[i];
+                const double shown =
+                    value(direction == Direction::positive ? target.positive : target.negative);
+                table.rows[i].emplace_back(
+                    std::isfinite(shown) ? language.number(shown, part.deviation(), digits) : QString());
+            }
+        };
+        const auto limit = [&](const QString &sign) {
+            return Phrase({{QStringLiteral("x̄")},
+                           {letter, true},
+                           {towards + sign + factor + u's'},
+                           {letter, true},
+                           {towards}});
+        };
+        add(limit(QStringLiteral(" + ")),
+            [&](const DirectionStatistics &s) { return s.mean + edition.c * s.s; });
+        add(limit(QStringLiteral(" − ")),
+            [&](const DirectionStatistics &s) { return s.mean - edition.c * s.s; });
+        add(Phrase({{factor + u's'}, {letter, true}, {towards}}),
+            [&](const DirectionStatistics &s) { return edition.c * s.s; });
+    }
+    addGroupRules(table);
+    return table;
+}
+
 void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
     const std::size_t count = part.results.targets.size();
     addHeading(blocks, part.write.text(REPORT_TEXT("report", "Results per target position")),
@@ -441,6 +487,8 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
         addLeftOut(blocks, part.write, count);
     else
         blocks.emplace_back(inHalves(groupedTargets(part)));
+    if (part.edition().rangeMethod && hasScatter(part) && count <= mostRows)
+        blocks.emplace_back(limitsOfTargets(part));
 }
 
 void addReadingTables(std::vector<Block> &blocks, const PositioningPart &part) {

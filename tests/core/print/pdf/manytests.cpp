@@ -122,7 +122,8 @@ void ManyTests::pagesAreBounded() {
     }
 }
 
-/// No page but the last and that of the signatures is left a third blank, and no heading is the last of one.
+/// No page is left a third blank but the last, the one whose end may have been moved to it, and that of the
+/// signatures; no heading is the last of one.
 void ManyTests::noPageIsWasted() {
     Document document = merged(examples);
     document.report.editions = {"ISO 230-2:1988", "ISO 230-2:2006", "ISO 230-2:2014"};
@@ -148,7 +149,7 @@ void ManyTests::noPageIsWasted() {
                 const bool ends = std::ranges::any_of(pages[i], [](const Line &line) {
                     return line.text.startsWith(u"Findu"_s) || line.text.startsWith(u"Endofthe"_s);
                 });
-                if (!ends && height - footer - last.end >= height / 3)
+                if (!ends && i + 2 != pages.size() && height - footer - last.end >= height / 3)
                     wasted << u"page %1 ends at %2 mm: %3"_s.arg(i + 1).arg(last.end / mm).arg(last.text);
             }
             QVERIFY2(wasted.isEmpty(), qPrintable(wasted.join(u'\n')));

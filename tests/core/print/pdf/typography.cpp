@@ -216,7 +216,7 @@ QStringList frenchFaults(const QString &text) {
 } // namespace
 
 /// Rules of typography on the pages of generated reports: PALMER_REPORTS of them, 200 for all kinds, papers
-/// and languages.
+/// and languages; PALMER_FIRST of them are left out.
 class TypographyTest : public QObject {
     Q_OBJECT
 
@@ -233,7 +233,7 @@ void TypographyTest::pagesAreSetWell() {
                           : few;
     int nearlyEmpty = 0;
     QStringList faults;
-    for (int seed = 1; seed <= count; ++seed) {
+    for (int seed = 1 + qEnvironmentVariableIntValue("PALMER_FIRST"); seed <= count; ++seed) {
         const auto language = seed % 2 == 0 ? Language::Id::french : Language::Id::english;
         Document document = Generator(static_cast<unsigned>(seed) + 5000).document();
         if (seed % 3 == 0)
