@@ -27,6 +27,7 @@ constexpr double runningRule = 1.45 * mm; ///< below its text
 constexpr double belowRunningHead = 6 * mm;
 /// Gaps from this size on may shrink to this fraction to keep the results on the first page.
 constexpr double smallestToNarrow = 1.5 * mm;
+constexpr double slightlyNarrower = 0.7;
 constexpr double narrowest = 0.4;
 constexpr double leastOnFurtherPages = 0.8; ///< fraction of its height
 constexpr double roundingRoom = 0.01;
@@ -750,25 +751,28 @@ private:
         return true;
     }
 
-    /// Where the last page of the certificate or of the annex stays too empty, narrower gaps if that takes it
-    /// away.
+    /// Narrower gaps, if that saves a page of the annex, or the last one of a certificate that stays too
+    /// empty.
     void squeezeEnds() {
-        const auto squeeze = [&](double &narrowing, std::size_t last) {
+        const auto squeeze = [&](double &narrowing, std::size_t last, double most) {
             const std::vector<PageStrips> &pages = m_flow.pages();
             if (narrowing < 1 || last == 0 || last >= pages.size() ||
-                pages[last].used() >= leastFill * (m_bottom - pages[last].top()))
+                pages[last].used() >= most * (m_bottom - pages[last].top()))
                 return;
             const std::size_t before = pages.size();
-            narrowing = narrowest;
-            flow();
-            if (m_flow.pages().size() < before)
-                return;
+            for (const double factor : {slightlyNarrower, narrowest}) {
+                narrowing = factor;
+                flow();
+                if (m_flow.pages().size() < before)
+                    return;
+            }
             narrowing = 1;
             flow();
         };
-        squeeze(m_narrowingOfAnnex, m_flow.pages().size() - 1);
         const auto certificate = static_cast<std::size_t>(pagesBeforeAnnex(m_blocks, m_flow));
-        squeeze(m_narrowing, certificate > 0 ? certificate - 1 : m_flow.pages().size() - 1);
+        if (certificate > 0)
+            squeeze(m_narrowingOfAnnex, m_flow.pages().size() - 1, 1);
+        squeeze(m_narrowing, certificate > 0 ? certificate - 1 : m_flow.pages().size() - 1, leastFill);
     }
 
     void putNumbers() {
