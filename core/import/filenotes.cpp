@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <vector>
 
 namespace palmer {
 
@@ -108,22 +109,38 @@ bool readTemperature(const QString &line, FileNotes &notes) {
     return true;
 }
 
+/// The texts of the cells that are not empty. "0,1 µm", torn by a comma that also separates cells, is one
+/// again.
+std::vector<std::string> textsIn(const CellTable &table, const TableRow &row) {
+    std::vector<std::string> texts;
+    std::size_t end = 0;
+    for (const TableCell &cell : table.cells(row)) {
+        if (cell.size == 0)
+            continue;
+        const std::string_view text = table.text(cell).substr(0, longestLine);
+        const auto isLetter = [](char c) { return !isDigit(c) && c != '.' && c != '-' && c != '+'; };
+        const bool isTorn = table.delimiter.value == Delimiter::comma && !texts.empty() &&
+                            cell.begin == end + 1 && isDigit(text.front()) && isDigit(texts.back().back()) &&
+                            std::ranges::any_of(texts.back(), isLetter);
+        if (isTorn)
+            texts.back() += ',' + std::string(text);
+        else
+            texts.emplace_back(text);
+        end = cell.begin + cell.size;
+    }
+    return texts;
+}
+
 /// The cells of a row as labels with values: "Machine:" followed by "HAAS", several pairs per row.
 std::string lineOf(const CellTable &table, const TableRow &row) {
     std::string line;
-    std::size_t filled = 0;
-    for (const TableCell &cell : table.cells(row))
-        filled += cell.size > 0 ? 1 : 0;
-    std::size_t place = 0;
-    for (const TableCell &cell : table.cells(row)) {
-        if (cell.size == 0 || line.size() > longestLine)
-            continue;
-        std::string_view text = table.text(cell).substr(0, longestLine);
-        const bool isLabel = text.ends_with(':') || text.ends_with('=') || (filled == 2 && place == 0);
+    const std::vector<std::string> texts = textsIn(table, row);
+    for (std::size_t place = 0; place < texts.size() && line.size() <= longestLine; ++place) {
+        std::string_view text = texts[place];
+        const bool isLabel = text.ends_with(':') || text.ends_with('=') || (texts.size() == 2 && place == 0);
         while (isLabel && (text.ends_with(':') || text.ends_with('=') || text.ends_with(' ')))
             text.remove_suffix(1);
         line += std::string(text) + (isLabel ? " : " : " ; ");
-        ++place;
     }
     return line;
 }

@@ -33,7 +33,7 @@ std::vector<std::string_view> cellsOf(const ColumnSearch &search, std::size_t c)
 }
 
 /// "(4.5)", "3.5±0.2", "0x10": cells with numbers that are not read as such, under a heading of readings or
-/// targets.
+/// targets; or targets by their heading, where others are taken that are none by theirs.
 bool isUnreadable(const ColumnSearch &search, std::size_t c) {
     const TableColumn &head = search.reading.body.columns[c];
     const std::vector<TableColumn> &heads = search.reading.body.columns;
@@ -42,6 +42,9 @@ bool isUnreadable(const ColumnSearch &search, std::size_t c) {
     const bool isNamed = head.words.direction || head.words.hint ||
                          isOneOf(head.meaning, {Meaning::deviation, Meaning::reading, Meaning::actual}) ||
                          (!hasTargets && isOneOf(head.meaning, {Meaning::target, Meaning::place}));
+    // "Air temperature: 20,5" above "Target (mm)" makes the targets a temperature.
+    if (head.kind == ColumnKind::numbers)
+        return !hasTargets && head.words.isTarget;
     return head.kind == ColumnKind::words && isNamed &&
            std::ranges::any_of(cellsOf(search, c), [](std::string_view cell) {
                return cell.substr(0, 2).find_first_of("0123456789") != std::string_view::npos;

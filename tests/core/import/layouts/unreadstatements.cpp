@@ -121,6 +121,12 @@ private slots:
                 << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n") + rows << "layout";
         QTest::newRow("thousands and a half, or decimals")
             << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1.000;3;4\n1.500;5;6\n") << "decimalMark";
+        const QByteArray commas = "Target (mm),Fwd,Rev\n0,1.5,2.5\n100,3.5,4.5\n200,5.5,6.5\n";
+        for (const char *line : {"Air temperature: 20,5", "Temperature drift 3,5"})
+            QTest::newRow(line) << line +
+                                       ("\n" + QByteArray(commas).replace(",Fwd,Rev", ",Fwd (µm),Rev (µm)"))
+                                << "columns";
+        QTest::newRow("a unit torn by a comma") << "Einheit der Abweichungen: 0,1 µm\n" + commas << "unit";
         QTest::newRow("thousands or decimals")
             << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1.000;3;4\n2.000;5;6\n") << "decimalMark";
     }
