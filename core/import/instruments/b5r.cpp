@@ -233,6 +233,7 @@ private:
     void takeReadings(std::string_view text) {
         if (m_runs.empty())
             return;
+        m_readingType = m_type;
         std::vector<double> &readings = m_runs.back().readings;
         for (std::string_view rest = withoutBlanks(text); !rest.empty(); rest = withoutBlanks(rest)) {
             const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
@@ -320,7 +321,7 @@ private:
         return {};
     }
 
-    /// The file states no unit for readings: guesses it from their size and adds a remark.
+    /// The unit of the readings: their DT; without it guessed from their size, with a remark.
     void resolveReadings(const CircularMeasurement &measurement) {
         double largest = 0;
         std::vector<double> sizes;
@@ -332,11 +333,19 @@ private:
         }
         std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
         const double median = sizes[sizes.size() / 2];
-        const bool absolute = std::abs(median - measurement.nominalRadius) < 0.05 * measurement.nominalRadius;
-        const auto content =
-            m_choices.resolve("content", absolute ? "positions" : "deviations", Origin::guessed);
+        const TypeUnit *row = typeUnit(m_readingType);
+        const TypeUnit *said = row && row->isLength ? row : nullptr;
+        if (!said && !m_readingType.isEmpty())
+            m.remarks.problem("unit", REPORT_TEXT("report", "The unit “%1” is not known."),
+                              excerpt(m_readingType.toStdString()));
+        const Origin origin = said ? Origin::recognised : Origin::guessed;
+        const double inBase = said ? median * said->multiplier / said->divisor : median;
+        const bool absolute = std::abs(inBase - measurement.nominalRadius) < 0.05 * measurement.nominalRadius;
+        const auto content = m_choices.resolve("content", absolute ? "positions" : "deviations", origin);
         m_absolute = content.value == "positions";
-        const auto unit = m_choices.resolve("unit", m_absolute || largest < 1 ? "mm" : "um", Origin::guessed);
+        const bool isMicro = said ? said->divisor > 1 : !m_absolute && largest >= 1;
+        const bool isMetre = said && said->multiplier > 1;
+        const auto unit = m_choices.resolve("unit", isMicro ? "um" : isMetre ? "m" : "mm", origin);
         m_unit = unitOf(unit.value);
         if (m_unit->kind != UnitKind::length)
             refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a circular test"), "unit", unit.value);
@@ -423,6 +432,7 @@ private:
     Imported &m;
     QStringList m_path;
     QString m_type;
+    QString m_readingType; ///< DT of the readings
     QString m_feature;
     QString m_analysis;
     QString m_testName;

@@ -316,6 +316,30 @@ private slots:
         QCOMPARE(measurementOf(importMeasurement(rich, "x.rtf")).targets, (std::vector<double>{0, 100}));
     }
 
+    /// Whatever unit the readings of a ballbar state, absolute or not, the deviations are the same.
+    void honoursTheUnitOfBallbarReadings() {
+        const auto deviationFor = [](const QByteArray &type, double scale, double offset) {
+            QByteArray readings;
+            for (int i = 0; i < 40; ++i)
+                readings +=
+                    QByteArray::number((offset + (i % 2 == 0 ? 0.005 : -0.005)) * scale, 'g', 12) + ' ';
+            const QByteArray run = "<BALLBAR_RUN><RUN_DIRECTION>CCW</RUN_DIRECTION><READINGS DT=\"" + type +
+                                   "\">" + readings + "</READINGS></BALLBAR_RUN>";
+            const Imported imported =
+                importMeasurement("<TEST_DOCUMENT><NOMINAL_LENGTH DT=\"UT_LENGTH_MM\">150</NOMINAL_LENGTH>" +
+                                      run + "</TEST_DOCUMENT>",
+                                  "x.b5r");
+            return std::get<CircularMeasurement>(imported.test->measurement)
+                .arcs.at(0)
+                .radialDeviations.at(0);
+        };
+        for (const double offset : {0.0, 150.0}) {
+            QVERIFY(std::abs(deviationFor("UT_LENGTH_MM", 1, offset) - 0.005) < 1e-9);
+            QVERIFY(std::abs(deviationFor("UT_LENGTH_UM", 1000, offset) - 0.005) < 1e-9);
+            QVERIFY(std::abs(deviationFor("UT_LENGTH_M", 0.001, offset) - 0.005) < 1e-9);
+        }
+    }
+
     void halvesDiameters_data() {
         QTest::addColumn<QByteArray>("heading");
         for (const char *heading : {"Diameter", "Durchmesser", "Diamètre", "Diametro"})
