@@ -11,6 +11,7 @@
 #include <qpdf/QPDFObjectHandle.hh>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 namespace palmer {
 
@@ -309,10 +310,13 @@ private:
         }
     }
 
-    [[nodiscard]] Handle elementOf(std::size_t index) const {
+    [[nodiscard]] Handle elementOf(std::size_t index) {
         const StructureElement &element = m_elements[index];
         Handle result = Handle::newDictionary();
-        result.replaceKey("/S", Handle::newName(element.type));
+        auto [type, isNew] = m_types.try_emplace(element.type);
+        if (isNew)
+            type->second = Handle::newName(element.type);
+        result.replaceKey("/S", type->second);
         result.replaceKey("/P", index == 0 ? m_root : m_objects[element.parent]);
         const bool isFigure = std::string_view(element.type) == "/Figure";
         if (isFigure)
@@ -322,8 +326,12 @@ private:
         return result;
     }
 
-    static Handle attributesOf(const StructureElement &element) {
-        Handle attributes = Handle::parse("<< /O /Table >>");
+    Handle attributesOf(const StructureElement &element) {
+        auto [known, isNew] = m_attributes.try_emplace({element.scope, element.columns, element.rows});
+        Handle &attributes = known->second;
+        if (!isNew)
+            return attributes;
+        attributes = Handle::parse("<< /O /Table >>");
         if (element.scope)
             attributes.replaceKey("/Scope", Handle::newName(element.scope));
         if (element.columns != 1)
@@ -361,14 +369,17 @@ private:
     }
 
     /// `page`: that of the element, where most of its contents are.
-    Handle contentOf(const MarkedContent &content, std::optional<std::size_t> &page) const {
+    Handle contentOf(const MarkedContent &content, std::optional<std::size_t> &page) {
         if (!page)
             page = content.page;
+        while (m_identifiers.size() <= static_cast<std::size_t>(content.id))
+            m_identifiers.push_back(Handle::newInteger(static_cast<long long>(m_identifiers.size())));
+        const Handle &identifier = m_identifiers[static_cast<std::size_t>(content.id)];
         if (content.page == *page)
-            return Handle::newInteger(content.id);
+            return identifier;
         Handle reference = Handle::parse("<< /Type /MCR >>");
         reference.replaceKey("/Pg", m_pages[content.page]);
-        reference.replaceKey("/MCID", Handle::newInteger(content.id));
+        reference.replaceKey("/MCID", identifier);
         return reference;
     }
 
@@ -404,6 +415,10 @@ private:
     std::vector<Handle> m_objects;              ///< by element
     std::vector<std::vector<Handle>> m_parents; ///< by page and identifier
     std::vector<bool> m_used;
+    // One object for all elements with the same: a report of 1 000 tests has half a million of them.
+    std::map<std::string_view, Handle> m_types;
+    std::vector<Handle> m_identifiers;
+    std::map<std::tuple<const char *, int, int>, Handle> m_attributes; ///< by scope, columns and rows
     Handle m_root;
 };
 
@@ -431,8 +446,10 @@ void tagPdf(QPDF &document, const PdfProperties &properties, const std::vector<H
     for (Handle page : document.getAllPages()) {
         const auto used = fonts.of(page);
         Handle stream = page.getKey("/Contents");
-        stream.replaceStreamData(ContentTagger(index++, used, contents, types)(streamOf(stream)),
-                                 Handle::newNull(), Handle::newNull());
+        const std::string tagged = ContentTagger(index++, used, contents, types)(streamOf(stream));
+        // Packed at once: libqpdf would keep the contents of all pages until it writes the first.
+        stream.replaceStreamData(properties.pack(QByteArray::fromStdString(tagged)).toStdString(),
+                                 Handle::newName("/FlateDecode"), Handle::newNull());
     }
     StructureTree(document, properties, contents).write(properties, annotations);
 }

@@ -19,8 +19,9 @@ namespace {
 
 constexpr int dotsPerInch = 1200;
 
-/// Also tells `tagging` what is drawn.
-QByteArray pagesAsPdf(const Pages &pages, Tagging &tagging) {
+/// Also tells `tagging` what is drawn. What has been drawn is given up: of a long report, pages laid out take
+/// more memory than all the rest.
+QByteArray pagesAsPdf(Pages &pages, Tagging &tagging) {
     QByteArray pdf;
     QBuffer buffer(&pdf);
     buffer.open(QIODevice::WriteOnly);
@@ -32,7 +33,7 @@ QByteArray pagesAsPdf(const Pages &pages, Tagging &tagging) {
         QPageLayout::Portrait, QMarginsF(0, 0, 0, 0), QPageLayout::Point));
     QPainter painter(&writer);
     bool first = true;
-    for (const PrintedPage &page : pages) {
+    for (PrintedPage &page : pages) {
         if (!first)
             writer.newPage();
         first = false;
@@ -41,6 +42,7 @@ QByteArray pagesAsPdf(const Pages &pages, Tagging &tagging) {
         painter.scale(dotsPerInch / 72.0, dotsPerInch / 72.0);
         drawPage(painter, page);
         painter.restore();
+        page.parts = {};
     }
     painter.end();
     return pdf;
@@ -103,7 +105,7 @@ void writePdf(const Report &report, QIODevice &device, const QByteArray &results
 }
 
 void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAttachment> &attachments) {
-    const Pages pages = layoutPages(report);
+    Pages pages = layoutPages(report);
     PdfProperties properties;
     properties.metadata = {oneLine(report.title), oneLine(report.laboratory), report.language, report.date,
                            report.making};
