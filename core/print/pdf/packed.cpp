@@ -7,6 +7,7 @@
 #include <libdeflate.h>
 #include <memory>
 #include <new>
+#include <utility>
 
 namespace palmer {
 
@@ -32,7 +33,10 @@ QByteArray pack(const QByteArray &bytes) {
 }
 
 std::shared_future<QByteArray> packed(const QByteArray &bytes) {
-    return runInBackground(bytes.size() > isLong, [bytes] { return pack(bytes); });
+    return runInBackground(bytes.size() > isLong, [kept = bytes]() mutable {
+        const QByteArray own = std::exchange(kept, {}); // the future keeps what it ran
+        return pack(own);
+    });
 }
 
 } // namespace palmer

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace palmer {
 
@@ -71,8 +72,8 @@ void Tagging::beginPage() { // NOLINT(readability-make-member-function-const): c
     m_record->marked = 0;
 }
 
-std::vector<StructureElement> Tagging::elements() const {
-    return m_record->elements;
+std::vector<StructureElement> Tagging::takeElements() {
+    return std::exchange(m_record->elements, {});
 }
 
 std::vector<std::size_t> Tagging::links() const {

@@ -113,7 +113,7 @@ void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAtta
     properties.attachments = attachments;
     Tagging tagging(Language::fromName(report.language).value_or(Language(Language::Id::english)));
     const QByteArray drawn = pagesAsPdf(pages, tagging);
-    properties.structure = tagging.elements();
+    properties.structure = tagging.takeElements();
     addNavigation(properties, pages, tagging.links());
     const QByteArray pdf = finishPdf(drawn, properties);
     if (device.write(pdf) != pdf.size())
