@@ -326,9 +326,9 @@ void ResultsPanel::fitColumn(int place, int symbols, const QFontMetrics &metrics
     }
     m_table->setColumnWidth(place, widthOfResults(m_model, place, metrics) +
                                        (m_narrow ? narrowCellMargin : cellMargin));
-    // In a narrow window names need the width of empty columns.
-    m_table->setColumnHidden(place,
-                             (column.besideOnly && !other) || (m_narrow && saysNothing(m_model, place)));
+    // In a narrow window, and beside another test, names need the width of empty columns.
+    m_table->setColumnHidden(place, (column.besideOnly && !other) ||
+                                        ((m_narrow || other) && saysNothing(m_model, place)));
 }
 
 /// Shows the standard's names if all fit, otherwise shorter ones that still distinguish senses of circles.

@@ -17,6 +17,7 @@ constexpr int padding = 4; ///< by which the line extends beyond the word
 constexpr int space = 10;  ///< between two tabs: six with their counts fit in a row
 constexpr int badgeSize = 20;
 constexpr int badgeGap = 6;
+constexpr int tightBadgeGap = 3;
 
 QFont tabFont(bool current) {
     return themeFont(current ? TextSize::head : TextSize::base);
@@ -31,6 +32,7 @@ PageTabs::PageTabs(QWidget *parent)
     setUsesScrollButtons(true);
     setElideMode(Qt::ElideNone);
     setFocusPolicy(Qt::StrongFocus);
+    connect(this, &QTabBar::currentChanged, this, &PageTabs::fit);
 }
 
 void PageTabs::setCount(int tab, int count) {
@@ -55,12 +57,32 @@ void PageTabs::setLow(bool low) {
 }
 
 QSize PageTabs::tabSizeHint(int index) const {
-    // As wide as the bold word, so that nothing moves when another tab is chosen.
+    return {widthOf(index, m_tight), m_low ? lowTabHeight : tabHeight};
+}
+
+/// As wide as the bold word, so that nothing moves when another tab is chosen.
+int PageTabs::widthOf(int index, bool tight) const {
     const QString shown = QString(tabText(index)).remove(u'&');
-    int width = QFontMetrics(tabFont(true)).horizontalAdvance(shown) + 2 * padding;
-    if (count(index) > 0)
-        width += badgeGap + badgeSize;
-    return {width + space - 2 * padding, m_low ? lowTabHeight : tabHeight};
+    const bool bold = !tight || index == currentIndex();
+    const int badge = count(index) > 0 ? badgeSize + (tight ? tightBadgeGap : badgeGap) : 0;
+    return QFontMetrics(tabFont(bold)).horizontalAdvance(shown) + badge + space;
+}
+
+void PageTabs::fit() {
+    int whole = 0;
+    for (int tab = 0; tab < count(); ++tab)
+        whole += isTabVisible(tab) ? widthOf(tab, false) : 0;
+    if (const bool tight = whole > width(); tight != m_tight || tight) {
+        const bool changes = std::exchange(m_tight, tight) != tight || m_widest != currentIndex();
+        m_widest = currentIndex();
+        if (changes && count() > 0)
+            setTabText(0, tabText(0)); // updates the sizes
+    }
+}
+
+void PageTabs::resizeEvent(QResizeEvent *event) {
+    QTabBar::resizeEvent(event);
+    fit();
 }
 
 QSize PageTabs::minimumTabSizeHint(int index) const {
@@ -82,12 +104,13 @@ void PageTabs::paintEvent(QPaintEvent *) {
         const QString shown = QString(tabText(tab)).remove(u'&');
         const int width = painter.fontMetrics().horizontalAdvance(shown);
         // Centred in the width of the bold word, so that gaps are even; the first is at the edge of the page.
-        const int slack = tab == 0 ? 0 : (bold.horizontalAdvance(shown) - width) / 2;
+        const int slack = tab == 0 || m_tight ? 0 : (bold.horizontalAdvance(shown) - width) / 2;
         const QRect word = area.adjusted(padding + slack, 0, -padding, 0);
         painter.drawText(word, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic, tabText(tab));
         if (count(tab) > 0) {
-            const QRect badge(word.left() + width + badgeGap, area.center().y() - badgeSize / 2 + 1,
-                              badgeSize, badgeSize); // closer to its word than to the next
+            const QRect badge(word.left() + width + (m_tight ? tightBadgeGap : badgeGap),
+                              area.center().y() - badgeSize / 2 + 1, badgeSize,
+                              badgeSize); // closer to its word than to the next
             painter.setPen(Qt::NoPen);
             painter.setBrush(token(Token::unsureGround, palette()));
             painter.drawRoundedRect(badge, badgeSize / 2.0, badgeSize / 2.0);

@@ -25,9 +25,17 @@ protected:
     [[nodiscard]] QSize tabSizeHint(int index) const override;
     [[nodiscard]] QSize minimumTabSizeHint(int index) const override;
     void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void tabLayoutChange() override { fit(); }
 
 private:
+    /// Where words do not fit as wide as they are in bold, only the current one is.
+    void fit();
+    [[nodiscard]] int widthOf(int index, bool tight) const;
+
     bool m_low = false;
+    bool m_tight = false;
+    int m_widest = -1; ///< the current tab when the sizes were updated
 };
 
 } // namespace palmer::ui

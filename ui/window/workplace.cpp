@@ -806,7 +806,14 @@ void Workplace::setTestActions(const QList<QAction *> &add, const QList<QAction 
                                           m_findings->findChild<QAbstractItemView *>()})
         menu->addAction(report);
     m_navigation->setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_target->addStripActions(m_readings->editActions());
+    QList<QAction *> ofReading;
+    for (QAction *action : m_readings->editActions()) {
+        static const QStringList names{QStringLiteral("copyReadings"), QStringLiteral("setAside"),
+                                       QStringLiteral("bringBack")};
+        if (names.contains(action->objectName()))
+            ofReading << action;
+    }
+    m_target->addStripActions(ofReading);
 }
 
 QString Workplace::anchorInReport() const {

@@ -100,6 +100,7 @@ private slots:
     void agreedPointsBeginWithACapital();
     void agreedPointsAreSeventyHigh();
     void buttonsCanBeHit();
+    void sevenTabsAreInSight();
     void theNumberOfAnAgreementIsTypedBesideItsText();
     void symbolsInLabelsHaveTheirIndex();
     void textsOfQtAreFrench();
@@ -860,6 +861,24 @@ void LayoutTest::agreedPointsAreSeventyHigh() {
         }
         QVERIFY(seen > 5);
     }
+}
+
+/// Of a circle with its counts, in the longer language.
+void LayoutTest::sevenTabsAreInSight() {
+    setWindowLanguage(Language::Id::french);
+    const ShownWindow shown(examplePath("teaching-04-squareness"), {1366, 768});
+    const auto *tabs = shown.find<QTabBar>("pageTabs");
+    int visible = 0;
+    for (int tab = 0; tab < tabs->count(); ++tab) {
+        if (!tabs->isTabVisible(tab))
+            continue;
+        ++visible;
+        shown.window->findChild<QTabBar *>("pageTabs")->setCurrentIndex(tab);
+        QTest::qWait(20);
+        QVERIFY2(tabs->tabRect(0).left() >= 0, qPrintable(tabs->tabText(tab)));
+        QVERIFY2(tabs->tabRect(tabs->count() - 2).right() <= tabs->width(), qPrintable(tabs->tabText(tab)));
+    }
+    QCOMPARE(visible, 7);
 }
 
 /// 24 px at least, on every page.
