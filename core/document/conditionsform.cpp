@@ -72,7 +72,7 @@ const std::array rows{
     FormRow{{}, {"travel", "", 3}, Standing::asked, ofAxis},
     FormRow{{}, {"range", "", 4}, Standing::asked, ofAxis},
     FormRow{{}, {"positionFeedback", "", 3, REPORT_TEXT("report", "Measuring system")}, Standing::asked, ofAxis},
-    FormRow{{}, {"zone", "", 4}, Standing::asked, longAxis},
+    FormRow{{}, {"zone", "", 5}, Standing::asked, longAxis},
     FormRow{{}, {"scaleElement", "", 5, REPORT_TEXT("report", "Element of the scale (0: continuous)")}, Standing::byAsked, linear},
     FormRow{{}, {"positionFeedback", "", 6, REPORT_TEXT("report", "Measuring system")}, Standing::asked, ofCircle},
     FormRow{{}, {"referenceLength", "", 6, REPORT_TEXT("report", "Reference length calibrated")}, Standing::byAsked, ofCircle},

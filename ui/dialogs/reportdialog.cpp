@@ -344,14 +344,18 @@ void ReportDialog::compose() {
         return;
     m_composer.cancel();
     m_source = source;
-    m_composer.start([this, source, previous = current](
-                         const Background::Job &job) { return composed(job, source, previous, *this); },
-                     [this](Composed composed) { take(std::move(composed)); });
+    m_composer.start(
+        [this, source, onlyResults, previous = current](const Background::Job &job) {
+            return composed(job, source, previous, onlyResults ? nullptr : this, *this);
+        },
+        [this](Composed composed) { take(std::move(composed)); });
 }
 
-/// Prints the file's own editions: views under another edition belong to the window.
+/// Prints the file's own editions: views under another edition belong to the window. `first`: shows the first
+/// page meanwhile; null: the pages in view stay, so that other results do not turn back to the first one.
 ReportDialog::Composed ReportDialog::composed(const Background::Job &job, const Source &source,
-                                              const EvaluatedDocument &previous, ReportDialog &dialog) {
+                                              const EvaluatedDocument &previous, ReportDialog *first,
+                                              ReportDialog &dialog) {
     Composed result;
     try {
         result.evaluated = evaluate(source.document, &previous);
@@ -361,8 +365,8 @@ ReportDialog::Composed ReportDialog::composed(const Background::Job &job, const 
             result.reports.push_back(composeReport(result.evaluated, Language(idOf(language)), options));
             const Report &report = result.reports.back();
             options.testFile = report.testFile; // the same in each language
-            if (result.reports.size() == 1 && !job.stop().stop_requested())
-                job.post([&dialog, pages = firstPages(report)] { dialog.showPages(pages); });
+            if (first && result.reports.size() == 1 && !job.stop().stop_requested())
+                job.post([first, pages = firstPages(report)] { first->showPages(pages); });
             std::ranges::move(layoutPages(report, job.stop()), std::back_inserter(result.pages));
         }
     } catch (const Error &error) {

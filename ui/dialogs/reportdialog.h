@@ -97,7 +97,7 @@ private:
     void addChoices(QVBoxLayout *column);
     void compose();
     static Composed composed(const Background::Job &job, const Source &source,
-                             const EvaluatedDocument &previous, ReportDialog &dialog);
+                             const EvaluatedDocument &previous, ReportDialog *first, ReportDialog &dialog);
     void take(Composed composed);
     void showEvaluated(EvaluatedDocument evaluated);
     void showPages(Pages pages);

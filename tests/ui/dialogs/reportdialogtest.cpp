@@ -16,6 +16,8 @@
 #include <QPrinter>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -73,6 +75,7 @@ class ReportDialogTest : public QObject {
 
 private slots:
     void initTestCase() { prepareApplication(); }
+    void beginsWithTheTestThatIsAskedFor();
     void init() { setWindowLanguage(Language::Id::english); }
     void savesWhatItShows();
     void savesAFileForEachLanguage();
@@ -87,6 +90,18 @@ private slots:
     void asksBeforeItReplacesAFile();
     void leavesTestFilesAlone();
 };
+
+/// And stays there when a simulation brings other results.
+void ReportDialogTest::beginsWithTheTestThatIsAskedFor() {
+    const ShownWindow window(examplePath("x-axis-as-found-as-left"));
+    ReportDialog dialog(window.window->model(), window.window->evaluator(), window.window);
+    dialog.beginAt("test-2");
+    dialog.show();
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.isSimulating() && dialog.pageCount() > 2, 60000);
+    const auto *area = dialog.findChild<QScrollArea *>("pages");
+    const int page = area->widget()->height() / dialog.pageCount();
+    QVERIFY2(area->verticalScrollBar()->value() > page, qPrintable(QString::number(page)));
+}
 
 void ReportDialogTest::savesWhatItShows() {
     const QTemporaryDir folder;
