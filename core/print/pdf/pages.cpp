@@ -167,11 +167,8 @@ private:
         const bool results = std::any_of(at(from), at(end), std::mem_fn(&Strip::whole));
         if (!m_page.strips.empty() && height > room() &&
             !(results && narrowGaps(strips, from, end, height - room())) &&
-            !lowerFigure(strips, from, end, height - room())) {
-            if (results)
-                from = placeFirstRows(strips, from, end);
+            !lowerFigure(strips, from, end, height - room()))
             turnPage();
-        }
         if (m_narrowing < 1 || m_lowering > 0 || needed(strips, from, end) <= room()) {
             for (std::size_t i = from; i < end; ++i)
                 place(strips[i]);
@@ -214,30 +211,6 @@ private:
             }
         }
         return true;
-    }
-
-    /// If results that do not fit on the page of their head are followed by other sections, their first rows
-    /// stay there, and the last ones go with their small print. Returns the first strip of the next page.
-    std::size_t placeFirstRows(const Strips &strips, std::size_t from, std::size_t end) {
-        constexpr std::size_t fewest = 4;          // rows on this page
-        constexpr std::size_t fewestFollowing = 3; // on the next
-        if (m_page.running || end == strips.size() || strips[end].pageBreak || strips[end].running)
-            return from;
-        std::size_t first = from; // row
-        while (first < end && !strips[first].head)
-            ++first;
-        std::size_t behind = first; // the rows
-        while (behind < end && strips[behind].head)
-            ++behind;
-        for (std::size_t next = behind - std::min(fewestFollowing, behind); next >= first + fewest; --next) {
-            const double missing = needed(strips, from, next) - room();
-            if (missing > 0 && !narrowGaps(strips, from, next, missing))
-                continue;
-            for (std::size_t i = from; i < next; ++i)
-                place(strips[i]);
-            return next;
-        }
-        return from;
     }
 
     /// Shrinks a figure that does not fit rather than leave half a page blank: on the first page of a test

@@ -222,7 +222,7 @@ class TypographyTest : public QObject {
 
 private slots:
     void pagesAreSetWell();
-    void resultsBeginOnTheFirstPage();
+    void resultsKeepTheirSmallPrint();
     void frenchTextsHaveTheirSpaces();
 };
 
@@ -263,19 +263,20 @@ void TypographyTest::pagesAreSetWell() {
     QVERIFY2(nearlyEmpty <= 1 + count / 100, qPrintable(QString::number(nearlyEmpty)));
 }
 
-/// However small the paper; their small print is on a page with rows of theirs.
-void TypographyTest::resultsBeginOnTheFirstPage() {
+/// However small the paper, all rows and the small print are on one page.
+void TypographyTest::resultsKeepTheirSmallPrint() {
     for (const QString &name : {u"budget-2006"_s, u"limits-2006"_s}) {
         for (const Paper paper : {Paper::a4, Paper::letter}) {
             Document document = storedDocument(name);
             document.report.paper = paper;
             const QStringList pages = pageTexts(pdfOf(reportOf(document, Language::Id::english)));
-            QVERIFY2(pages.front().contains(u"Bi-directional accuracy of positioning"_s), qPrintable(name));
             int smallPrints = 0;
             for (const QString &page : pages) {
                 const qsizetype print = page.indexOf(u"U: expanded uncertainty"_s);
                 smallPrints += print < 0 ? 0 : 1;
-                QVERIFY2(print < 0 || page.first(print).contains(u"Mean reversal value"_s), qPrintable(page));
+                for (const QString &row :
+                     {u"Bi-directional accuracy of positioning"_s, u"Mean reversal value"_s})
+                    QVERIFY2(print < 0 || page.first(print).contains(row), qPrintable(page));
             }
             QCOMPARE(smallPrints, 1);
         }
