@@ -120,7 +120,7 @@ QString textOf(const OfferedValue &offered) {
     return text;
 }
 
-/// What is said of the chosen tests; without those of which nothing is.
+/// The explanations of the chosen tests; without those that have none.
 std::vector<ExplainedTest> explained(const EvaluatedDocument &evaluated, const Asked &asked,
                                      const Language &language) {
     const Document &document = *evaluated.document;

@@ -65,7 +65,7 @@ constexpr std::array targetsOptions{
     forceOption,
 };
 
-// What a control executes.
+// The program that a control executes.
 constexpr double smallestMotion = 0.001;
 constexpr double mostFeed = 1e6;      ///< mm/min, °/min
 constexpr double mostDwell = 3600;    ///< s

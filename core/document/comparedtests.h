@@ -21,7 +21,7 @@ struct PlacedTest {
     [[nodiscard]] const TestEvaluation &evaluation() const { return *evaluated->tests[index]; }
 };
 
-/// What the evaluation of a test depends on beside it.
+/// Everything else that the evaluation of a test depends on.
 [[nodiscard]] Surroundings surroundingsOf(const Document &document, std::size_t test);
 
 /// Compares two tests, of one document or of two.

@@ -27,7 +27,7 @@ struct FormGroup {
     bool lacks = false; ///< something asked for in it is missing
 };
 
-/// What the conditions of a test are asked for.
+/// The things that the conditions of a test are asked for.
 struct ConditionsForm {
     std::vector<FormGroup> asked; ///< by the edition, with what the test needs to be known by
     std::vector<FormGroup> usual; ///< in practice only

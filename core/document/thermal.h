@@ -9,7 +9,7 @@
 
 namespace palmer {
 
-// What a drift test says of the thermal behaviour of the machine: an interpretation, no result of ISO 230-2.
+// The thermal behaviour of the machine: an interpretation, no result of ISO 230-2.
 
 /// Values with NaN for those that are missing.
 [[nodiscard]] std::vector<double> withGaps(const std::vector<std::optional<double>> &values);
@@ -50,7 +50,7 @@ struct DriftCases {
     std::vector<DriftCase> cases;
 };
 
-/// What the drift explains of the budget of a test that takes it, and what shorter tests or steadier
+/// The part of the budget of a test that the drift explains, and what shorter tests or steadier
 /// temperatures would bring; empty without a budget.
 [[nodiscard]] DriftCases driftCases(const EvaluatedDocument &evaluated, std::size_t test);
 

@@ -12,7 +12,8 @@
 
 namespace palmer {
 
-/// What can be typed in a row of the acceptance sheet, in the order in which a block without heading has it.
+/// The columns to type in a row of the acceptance sheet, in the order in which a block without heading has
+/// it.
 enum class SheetColumn {
     number,
     object,

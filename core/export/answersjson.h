@@ -23,7 +23,7 @@ struct OfferedValue {
     std::vector<std::pair<std::string, std::string>> settings;
 };
 
-/// What `explain` says of a test.
+/// The explanation of a test, as `explain` prints it.
 struct ExplainedTest {
     std::size_t test = 0; ///< index
     std::vector<Explanation> parameters;
@@ -37,7 +37,7 @@ struct ImportAnswer {
     bool accepted = false; ///< assumptions were confirmed
 };
 
-// What commands answer, as JSON with a format and a version (document/jsonformats.h); ends with a line break.
+// Answers of commands, as JSON with a format and a version (document/jsonformats.h); ends with a line break.
 // Lengths in mm, angles in degrees.
 [[nodiscard]] QByteArray explanationJson(const EvaluatedDocument &evaluated, const QString &fileName,
                                          const std::vector<ExplainedTest> &tests);

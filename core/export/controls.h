@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-/// What a machine's control reads; null where it is not known.
+/// The dialect that a machine's control reads; null where it is not known.
 struct ControlFormats {
     std::optional<Dialect> program;
     std::optional<CompensationFormat> compensation;

@@ -38,7 +38,7 @@ struct FileNotes {
 /// number that are understood or end with a colon.
 [[nodiscard]] bool isLabelledValue(const CellTable &table, const TableRow &row);
 
-/// What a temperature is taken of, from its name: the air, the instrument, else the machine.
+/// The thing that a sensor measures, from its name: the air, the instrument, else the machine.
 [[nodiscard]] SensorMeasures measuredBy(std::string_view name);
 
 [[nodiscard]] FileNotes notesOf(const CellTable &table, const TableBody &body);

@@ -232,7 +232,7 @@ private:
         return {text(label), Mark::none, symbolAndAxis(one), trendStatement(*one.trend, m_language)};
     }
 
-    /// What is exceeded now, otherwise what may be first; then the next of these.
+    /// The parameter that is exceeded now, otherwise the one that may be first; then the next of these.
     void addWatch() {
         const std::vector<Watched> list = watched();
         const std::vector<Watched> exceeded = exceededNow();

@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-/// What has changed in a test since the last one of its axis or plane.
+/// The changes of a test since the last one of its axis or plane.
 struct SinceLast {
     TestPlace last; ///< place of the last one
     std::optional<std::string> date;

@@ -19,7 +19,7 @@ namespace palmer {
 [[nodiscard]] Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgram &program,
                                  const Language &language);
 
-/// What is wrong with a cycle that moves beyond its axis; null if it does not. It follows the sentence that
+/// The fault of a cycle that moves beyond its axis; null if it does not. It follows the sentence that
 /// says from where to where the axis moves.
 [[nodiscard]] std::optional<Message> overtravelText(const CycleProgram &program,
                                                     const TargetRequest &request);

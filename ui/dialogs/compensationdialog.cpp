@@ -225,7 +225,7 @@ void CompensationDialog::compute() {
     showPrediction();
 }
 
-/// What the test would be with the table applied, and with the one compared.
+/// The test as it would be with the table applied, and with the one compared.
 void CompensationDialog::predict(const CompensationTable &table) {
     const Test &test = *m_evaluated.document->tests[m_test];
     Surroundings surroundings;

@@ -68,7 +68,7 @@ private:
         std::function<void(ReportHead &, bool)> set;
     };
 
-    /// What pages are composed of.
+    /// The sources of the pages.
     struct Source {
         std::shared_ptr<const Document> document;
         std::vector<TestEvaluationPointer> results; ///< from which the evaluation starts

@@ -28,7 +28,7 @@ public:
     explicit ThermalPage(DocumentModel &model, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
-    /// Makes what stands beside the page.
+    /// Makes the widgets next to the page.
     void makeSide(QWidget *parent);
     [[nodiscard]] QWidget *side() const { return m_side; }
     [[nodiscard]] bool isBusy() const { return m_worker.isBusy(); }

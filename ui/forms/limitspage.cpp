@@ -138,7 +138,7 @@ std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
     return rows;
 }
 
-/// What a member of all agreed limits is; nothing if they differ.
+/// The value that a member has in all agreed limits; nothing if they differ.
 template <auto member>
 auto ofAllLimits() {
     using T = std::remove_cvref_t<decltype(std::declval<Limit &>().*member)>;

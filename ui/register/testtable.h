@@ -28,7 +28,7 @@ public:
     [[nodiscard]] const ListedTest &test(int row) const { return this->row(row); }
     /// Curve numbers of tests, from 1, shown in place of the point's mark.
     void setNumbers(std::map<int, int> numbers);
-    /// What has changed in a test since the last one.
+    /// The changes of a test since the last one.
     void setSinceLast(int test, std::shared_ptr<const SinceLast> change);
     [[nodiscard]] const std::vector<std::string> &results() const { return m_results; }
     /// The longest texts of a result column, so that values and their U are aligned.

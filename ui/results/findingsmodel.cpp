@@ -117,7 +117,7 @@ void FindingsModel::addPage(const std::vector<Finding> &findings, const Document
     m_rows.push_back({worst, page, {}, line, {}});
 }
 
-/// What is missing, as the badges count it, and by grade what is wrong otherwise.
+/// The number missing, as the badges count it, and by grade what is wrong otherwise.
 void FindingsModel::summarise(const std::vector<Finding> &findings) {
     int missing = 0;
     std::array<int, 3> others{};

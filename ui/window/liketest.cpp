@@ -19,7 +19,7 @@ QString asListed(const ListedMachine &machine) {
     return QStringLiteral("%1 · %2").arg(machine.title(), machine.serialNumber);
 }
 
-/// What is newest, rather of the axis of the test: the last of equal ones is the last in the register.
+/// Newer tests rank higher, those of the same axis highest; of equal ones the last in the register is taken.
 auto rankOf(const Test &test, const RegisteredTest &other) {
     return std::tuple(kindOf(test) == other.kind && axesOf(test) == other.axis, kindOf(test) == other.kind,
                       other.date.value_or(""), other.time.value_or(""));

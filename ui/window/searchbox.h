@@ -26,7 +26,7 @@ public:
     void setSource(std::function<std::vector<SearchEntry>()> source) { m_source = std::move(source); }
 
 signals:
-    /// What is found, for the status bar; empty when the search ends.
+    /// The text about the hit for the status bar; empty when the search ends.
     void said(const QString &text);
 
 protected:

@@ -92,7 +92,7 @@ public:
     /// Moves through the missing statements of the current test. False if none is missing.
     bool showNextMissing(bool forward);
 
-    /// What can be found: fields of all pages, results, findings of the test in view.
+    /// Everything that can be found: fields of all pages, results, findings of the test in view.
     [[nodiscard]] std::vector<SearchEntry> searchEntries();
 
 signals:
@@ -101,7 +101,7 @@ signals:
     /// Status bar texts on the current test and on what the pointer is at.
     void contentChanged(const QString &text);
     void hintChanged(const QString &text);
-    /// What the test lacks, as counted by badges and findings; empty: nothing.
+    /// The things that the test lacks, as counted by badges and findings; empty: nothing.
     void lackChanged(const QString &text);
     void likeLastWanted();
 

@@ -20,7 +20,7 @@ struct TrialsOfTest {
     std::array<double, 2> awayFrom20{}; ///< sign of θ − 20 of machine and instrument
 };
 
-/// What a trial draws.
+/// The draws of a trial.
 struct DrawnParts {
     bool errors = true;
     bool residuals = true;

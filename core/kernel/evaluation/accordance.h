@@ -33,7 +33,8 @@ struct RequirementCounts {
 /// computation, or only good practice (of the conditions), which is marked and never counted.
 enum class Lack { none, required, usual };
 
-/// What a finding lacks. Badges, chips, marks and the walk through what is missing all follow it.
+/// The kind of lack that a finding states. Badges, chips, marks and the walk through what is missing all
+/// follow it.
 [[nodiscard]] Lack lackOf(const Finding &finding);
 
 /// Depends on findings and edition only; null for drift tests, which have no edition.

@@ -13,7 +13,7 @@ namespace palmer {
 /// mm or degrees.
 enum class ChannelQuantity { deviation, angularDeviation };
 
-/// What one sensor measured at the times of a drift test; null: no value.
+/// The values of one sensor at the times of a drift test; null: no value.
 struct DriftChannel {
     std::string name; ///< that of the axis it belongs to, if any
     ChannelQuantity quantity = ChannelQuantity::deviation;

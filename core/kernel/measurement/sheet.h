@@ -7,8 +7,8 @@
 
 namespace palmer {
 
-/// What a row of the acceptance sheet permits, in its unit. Without `low`, `high` ≥ 0 limits the magnitude;
-/// with it, the signed value lies between both. Nothing is permitted without `high`.
+/// The tolerance of a row of the acceptance sheet, in its unit. Without `low`, `high` ≥ 0 limits the
+/// magnitude; with it, the signed value lies between both. Nothing is permitted without `high`.
 struct Permitted {
     std::optional<double> low;
     std::optional<double> high;

@@ -11,8 +11,8 @@ namespace palmer {
 /// Returns t(0.975; degrees), the two-sided 95 % bound.
 [[nodiscard]] double studentQuantile975(int degrees);
 
-/// Returns the probability that χ² with these degrees of freedom (> 0, any real number) exceeds a value. 1 for
-/// degrees ≤ 0.
+/// Returns the probability that χ² with these degrees of freedom (> 0, any real number) exceeds a value. 1
+/// for degrees ≤ 0.
 [[nodiscard]] double chiSquareExceeded(double value, double degrees);
 
 /// Returns the probability that a standard normal variable deviates by more than ± z.

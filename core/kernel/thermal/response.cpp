@@ -82,7 +82,7 @@ double noiseOf(const std::vector<double> &theta, double resolution) {
     return std::max(*middle / medianOfNormal, resolution / std::sqrt(12.0));
 }
 
-/// What is known of an estimate: its variance as if from white noise, and its degrees of freedom.
+/// The quality of an estimate: its variance as if from white noise, and its degrees of freedom.
 struct Noise {
     double variance = 0;
     double degrees = 0;

@@ -6,8 +6,8 @@
 
 namespace palmer {
 
-/// What an upper tolerance limit says: at least `content` of all values lie below it, and a limit made this
-/// way is right with probability `confidence`. Both in (0, 1).
+/// The statement of an upper tolerance limit: at least `content` of all values lie below it, and a limit made
+/// this way is right with probability `confidence`. Both in (0, 1).
 struct Tolerance {
     double content = 0.95;
     double confidence = 0.95;

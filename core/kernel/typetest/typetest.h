@@ -23,7 +23,7 @@ struct Normality {
     bool operator==(const Normality &) const = default;
 };
 
-/// What the values of one parameter of several machines of a type say of the type.
+/// The statistics of a type, from the values of one parameter of several of its machines.
 struct TypeStatistics {
     std::vector<double> sorted; ///< ascending
     double mean = 0;

@@ -148,7 +148,7 @@ QString instrumentsOf(const PlacedTest &placed) {
     return names.join(QStringLiteral("\n"));
 }
 
-/// What is said of a test beside its readings, in the order of the report.
+/// The statements about a test other than its readings, in the order of the report.
 std::vector<KeyValue> statedRows(const PlacedTest &placed, const Writer &write) {
     const Test &test = placed.test();
     const Document &document = *placed.evaluated->document;
@@ -229,7 +229,7 @@ std::optional<ChangeWord> wordOfAll(const TestComparison &comparison) {
     const bool worse = says(ChangeWord::worse);
     if (better && worse)
         return ChangeWord::changed;
-    // What one parameter shows holds for the test; the weaker statements only if all make them.
+    // One parameter decides for the whole test; the weaker statements only if all make them.
     for (const ChangeWord word :
          {ChangeWord::better, ChangeWord::worse, ChangeWord::changed, ChangeWord::changedByMore,
           ChangeWord::disagree, ChangeWord::notProven, ChangeWord::noChangeProven,

@@ -24,7 +24,7 @@ namespace palmer {
 /// The word on all parameters: the direction of the change only where all changes have it. Null: no words.
 [[nodiscard]] std::optional<ChangeWord> wordOfAll(const TestComparison &comparison);
 
-/// What a comparison comes to: the word, how many parameters changed with the first of them, and the others.
+/// The outcome of a comparison: the word, how many parameters changed with the first of them, and the others.
 /// Without words an empty line.
 [[nodiscard]] VerdictLine decisionLine(const TestComparison &comparison, const Language &language);
 

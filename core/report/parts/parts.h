@@ -43,7 +43,7 @@ namespace palmer {
 /// The guard picture of a row; blank without a verdict, or if a range is permitted.
 [[nodiscard]] Cell sheetPicture(const SheetResult &result);
 
-/// What the row of a sheet prints: its own numbers as entered, those of a result as in its test.
+/// The printed value of a row of a sheet: its own numbers as entered, those of a result as in its test.
 struct SheetWords {
     QString permitted;
     QString value;

@@ -33,7 +33,7 @@ namespace palmer {
 [[nodiscard]] Table responseTable(const DriftMeasurement &drift, const std::vector<ThermalChannel> &channels,
                                   const Language &language);
 
-/// What the drift explains of U, and what shorter tests or steadier temperatures would bring.
+/// The part of U that the drift explains, and what shorter tests or steadier temperatures would bring.
 [[nodiscard]] Table driftCaseTable(const DriftCases &cases, bool angular, const Language &language);
 
 /// Sentences below both tables: the model, warming up.
