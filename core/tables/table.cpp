@@ -457,11 +457,17 @@ void resolveForm(CellTable &table, std::string_view text, const TableOptions &op
                 best = readings.back();
         }
     }
-    const bool hasRival = std::ranges::any_of(readings, [&](const Reading &reading) {
+    const auto isRival = [&](const Reading &reading) {
         return reading.rival > 0.5 * best.score && reading.broken <= best.broken &&
                reading.numbers != best.numbers && !onlyPartsWords(reading, best);
-    });
-    table.isFormDoubtful = hasRival || (best.mayBeGrouped && best.isRound);
+    };
+    // Where tabs part the columns, a blank in a cell as "1 ↑" parts nothing.
+    const auto isDoubt = [&](const Reading &reading) {
+        return isRival(reading) &&
+               !(best.delimiter == Delimiter::tab && reading.delimiter == Delimiter::blanks);
+    };
+    const bool hasRival = std::ranges::any_of(readings, isRival);
+    table.isFormDoubtful = std::ranges::any_of(readings, isDoubt) || (best.mayBeGrouped && best.isRound);
     const Origin origin = hasRival || best.mayBeGrouped ? Origin::guessed : Origin::recognised;
     table.delimiter = {best.delimiter, options.delimiter ? Origin::chosen : origin};
     table.decimalMark = {best.mark, options.decimalMark ? Origin::chosen : origin};

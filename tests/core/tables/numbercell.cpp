@@ -47,6 +47,8 @@ void NumberCellTest::readsNumbers_data() {
     QTest::newRow("many digits") << QByteArray("0.1000000000000000055511151231257827") << false << 0.1;
     QTest::newRow("nearly nothing") << QByteArray("1e-400") << false << 0.0;
     QTest::newRow("largest") << QByteArray("1.7976931348623157e308") << false << 1.7976931348623157e308;
+    QTest::newRow("thousands, French") << QByteArray("1\u202F234,5") << true << 1234.5;
+    QTest::newRow("thousands, blank") << QByteArray("1 234.5") << false << 1234.5;
     QTest::newRow("smallest") << QByteArray("4.9406564584124654e-324") << false << 4.9406564584124654e-324;
 }
 
@@ -68,8 +70,8 @@ void NumberCellTest::refusesWhatIsNone_data() {
     QTest::newRow("the other mark under comma") << QByteArray("32.56") << true << CellKind::grouped;
     QTest::newRow("thousands, English") << QByteArray("1,234.5") << false << CellKind::grouped;
     QTest::newRow("thousands, German") << QByteArray("1.234,5") << true << CellKind::grouped;
-    QTest::newRow("thousands, French") << QByteArray("1\u202F234,5") << true << CellKind::grouped;
-    QTest::newRow("thousands, blank") << QByteArray("1 234.5") << false << CellKind::grouped;
+    QTest::newRow("blank after four digits") << QByteArray("1234 567.5") << false << CellKind::grouped;
+    QTest::newRow("blank before two digits") << QByteArray("1 23.5") << false << CellKind::broken;
     QTest::newRow("thousands, Swiss") << QByteArray("1'234.5") << false << CellKind::grouped;
     QTest::newRow("millions") << QByteArray("1,234,567.5") << false << CellKind::grouped;
     QTest::newRow("two marks") << QByteArray("-4,,7") << true << CellKind::broken;
