@@ -144,8 +144,9 @@ std::string withoutThousands(std::string_view text) {
         joined += rest[0];
         ++i;
     }
-    return blanks > 0 && (!isWhole || digits == 3) && joined.find_first_of("123456789") < 4 ? joined
-                                                                                            : std::string();
+    const std::size_t first = joined.find_first_of("0123456789");
+    const bool isGroupedWell = blanks > 0 && (!isWhole || digits == 3) && first != std::string::npos;
+    return isGroupedWell && joined[first] != '0' ? joined : std::string();
 }
 
 } // namespace

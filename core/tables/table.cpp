@@ -239,7 +239,10 @@ private:
     void addText(std::size_t begin, std::size_t end) {
         const std::string_view whole = m_text.substr(begin, end - begin);
         const std::string_view bare = withoutBlanks(whole);
-        const CellValue value = readCell(bare, m_mark);
+        CellValue value = readCell(bare, m_mark);
+        // Among commas a blank parts numbers as well: "100 150,71 300,85".
+        if (m_delimiter == ',' && value.kind == CellKind::number && bare.find(' ') != std::string_view::npos)
+            value = {CellKind::broken};
         saysUnits = saysUnits || (value.kind == CellKind::text && cellWithUnit(bare, m_mark));
         const auto at = static_cast<std::size_t>(bare.data() - m_text.data());
         cells.push_back(

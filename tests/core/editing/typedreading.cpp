@@ -90,6 +90,12 @@ private slots:
         QTest::newRow("lines") << QStringLiteral("0\n50\n1000,5\n") << three;
         QTest::newRow("tabs") << QStringLiteral("0\t50\t1000.5") << three;
         QTest::newRow("groups of three digits") << QStringLiteral("0;50;1 000,5") << three;
+        QTest::newRow("blanks between hundreds")
+            << QStringLiteral("100 200 300") << std::vector<double>{100, 200, 300};
+        QTest::newRow("blanks between hundreds, comma")
+            << QStringLiteral("100 150,71 300,85") << std::vector<double>{100, 150.71, 300.85};
+        QTest::newRow("blanks between hundreds, point")
+            << QStringLiteral("100 150.71 300.85") << std::vector<double>{100, 150.71, 300.85};
         QTest::newRow("a heading") << QStringLiteral("Position (mm)\n0\n50\n1000.5") << three;
         QTest::newRow("a heading with another unit") << QStringLiteral("P (m)\n0\n0.05\n1.0005") << three;
         QTest::newRow("a column of a table")

@@ -71,6 +71,7 @@ void NumberCellTest::refusesWhatIsNone_data() {
     QTest::newRow("thousands, English") << QByteArray("1,234.5") << false << CellKind::grouped;
     QTest::newRow("thousands, German") << QByteArray("1.234,5") << true << CellKind::grouped;
     QTest::newRow("blank after four digits") << QByteArray("1234 567.5") << false << CellKind::grouped;
+    QTest::newRow("nought before a blank") << QByteArray("0 150") << false << CellKind::grouped;
     QTest::newRow("blank before two digits") << QByteArray("1 23.5") << false << CellKind::broken;
     QTest::newRow("thousands, Swiss") << QByteArray("1'234.5") << false << CellKind::grouped;
     QTest::newRow("millions") << QByteArray("1,234,567.5") << false << CellKind::grouped;
