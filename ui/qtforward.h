@@ -23,6 +23,7 @@ class QListWidget;
 class QMainWindow;
 class QMenu;
 class QMenuBar;
+class QMimeData;
 class QPlainTextEdit;
 class QPrinter;
 class QProgressBar;

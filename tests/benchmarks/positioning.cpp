@@ -38,7 +38,7 @@ void StatisticsAndParameters(benchmark::State &state) {
     std::vector<TargetStatistics> targets(table.targets);
     for (auto _ : state) {
         statistics(table.view(), DeviationMethod::calculation, targets);
-        for (const Row &row : iso230_2::rows2006())
+        for (const Row &row : findEdition("ISO 230-2:2006")->rows)
             benchmark::DoNotOptimize((*row.value)(targets, 2));
     }
     state.SetComplexityN(state.range(0));
