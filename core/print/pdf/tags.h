@@ -43,6 +43,7 @@ public:
     Tagging &operator=(const Tagging &) = delete;
 
     void beginPage();
+    /// Gives up the elements: called once, when all is drawn.
     [[nodiscard]] std::vector<StructureElement> takeElements();
     /// The elements of the linked areas, in the order in which they were drawn.
     [[nodiscard]] std::vector<std::size_t> links() const;

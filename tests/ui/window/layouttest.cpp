@@ -863,7 +863,7 @@ void LayoutTest::agreedPointsAreSeventyHigh() {
     }
 }
 
-/// Of a circle with its counts, in the longer language.
+/// The page of a circle with its counts, in the longer language.
 void LayoutTest::sevenTabsAreInSight() {
     setWindowLanguage(Language::Id::french);
     const ShownWindow shown(examplePath("teaching-04-squareness"), {1366, 768});

@@ -202,7 +202,7 @@ private slots:
         QCOMPARE(missing(shown, added), before);
     }
 
-    /// Of the register: the newest test of the machine, rather one of the same axis, and never the file
+    /// The register offers the newest test of the machine, rather one of the same axis, and never the file
     /// itself.
     void theRegisterKnowsTheLastTest() {
         const QTemporaryDir folder;

@@ -139,7 +139,7 @@ private slots:
                  qPrintable(testdata::picture(imported) + testdata::questions(imported)));
     }
 
-    /// What stands above many tables and says nothing of their numbers raises no doubt.
+    /// Lines found above many tables that say nothing of their numbers raise no doubt.
     void doubtsNothingElse() {
         const QByteArray table = "Target (mm);Fwd 1;Rev 1\n0;1.5;2\n100;3;4\n200;5;6\n";
         for (const char *line :
@@ -194,7 +194,7 @@ private slots:
         QCOMPARE(*measurement.runs.at(0).deviations.at(0) * 1000, first);
     }
 
-    /// What stands above a table goes where its label says, and nowhere else.
+    /// A statement above a table goes where its label says, and nowhere else.
     void putsStatementsWhereTheyBelong() {
         const QByteArray table = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
         const auto read = [&](const char *lines) {
