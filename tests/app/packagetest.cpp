@@ -35,6 +35,7 @@ private slots:
         QCOMPARE(match.captured(1), QString(PALMER_VERSION));
         QCOMPARE(match.captured(2), QString(RELEASED));
         QVERIFY(inSource("debian/changelog").startsWith("palmer (" PALMER_VERSION "-"));
+        QVERIFY(inSource("python/pyproject.toml").contains("\nversion = \"" PALMER_VERSION "\"\n"));
         QVERIFY(
             contents(METAINFO).contains("<release version=\"" PALMER_VERSION "\" date=\"" RELEASED "\"/>"));
         for (const char *file :

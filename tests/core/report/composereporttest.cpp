@@ -69,7 +69,7 @@ Report report(const std::shared_ptr<const Document> &document, const Language &l
             evaluated = withSimulation(evaluated, i, std::move(*drawn));
         }
     }
-    return composeReport(evaluated, language, {"Palmer 0.1.0", true});
+    return composeReport(evaluated, language, {"Palmer " PALMER_VERSION, true});
 }
 
 /// The text of a report below what the pages repeat. The fingerprint, which follows every change of the file
@@ -870,7 +870,7 @@ private slots:
             // Whatever the file says, an option has the same effect.
             changed.report.leaveOut = {};
             const auto file = std::make_shared<const Document>(changed);
-            QVERIFY(!composeReport(evaluate(file), english, {"Palmer 0.1.0", true, {}, {}, {}, false})
+            QVERIFY(!composeReport(evaluate(file), english, {"Palmer " PALMER_VERSION, true, {}, {}, {}, false})
                          .making.annex);
         }
     }
