@@ -88,19 +88,27 @@ struct Group {
     }
 };
 
+/// Returns the unit of a value and its tolerance: relative ones and Student's t have none.
+Quantity quantityOf(const Expectation &expected, const SetValidation &set) {
+    const bool isBare = expected.relative || (expected.what == Expected::drift && expected.id == "t");
+    return isBare ? Quantity::number : set.quantity;
+}
+
 std::vector<Group> groupsOf(const std::vector<SetValidation> &sets, const Language &language) {
     std::vector<Group> result;
     for (const SetValidation &set : sets) {
         const QString name = set.name.at(language.code());
         for (const Comparison &comparison : set.comparisons) {
             const Expectation &expected = comparison.expectation;
+            const Quantity quantity = quantityOf(expected, set);
             auto group = std::ranges::find_if(result, [&](const Group &one) {
                 const Expectation &known = one.values.front()->expectation;
                 return one.set == name && methodText(known) == methodText(expected) &&
-                       known.source == expected.source && known.relative == expected.relative;
+                       known.source == expected.source && known.relative == expected.relative &&
+                       one.quantity == quantity;
             });
             if (group == result.end())
-                group = result.insert(group, {name, expected.relative ? Quantity::number : set.quantity, {}});
+                group = result.insert(group, {name, quantity, {}});
             group->values.push_back(&comparison);
         }
     }

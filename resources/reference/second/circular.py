@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the Palmer authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Circles: ISO 230-4. Points in extended precision; least squares by Gauss-Newton; the minimum zone as a linear
-programme in centre and radii, solved by adding violated points, linearized anew until it stands still."""
+programme in centre and radii, solved by adding violated points, linearized anew until it stands still. In a simulation
+the programmes of all trials are solved at once, by the dual simplex method from one common basis."""
 import itertools
 import math
 from fractions import Fraction
@@ -167,6 +168,37 @@ def enumerated(normals, r):
     return best[:2], best[3]
 
 
+def zone_widths(normals, deviations):
+    """Widths of the minimum zones of many trials with small deviations (trials × points) from one circle: smallest w with
+    b <= d_i − n_i·δ <= b + w. Four constraints are active, at first at four points along the path: whatever the
+    deviations, these have multipliers >= 0, so that the dual simplex method starts there."""
+    n = normals.shape[1]
+    one = np.ones(n)
+    rows = np.concatenate([np.stack([*normals, one, 0 * one], 1), np.stack([*-normals, -one, -one], 1)])  # rows·x <= right
+    right = np.concatenate([deviations, -deviations], 1)
+    order = np.argsort(np.unwrap(np.arctan2(normals[1], normals[0])), kind="stable")
+    first = [order[k * (n - 1) // 4] for k in range(4)]
+    active = np.tile([first[0], n + first[1], first[2], n + first[3]], (len(deviations), 1))
+    widths = np.full(len(deviations), np.nan)
+    open_ = np.arange(len(deviations))
+    for _ in range(200):
+        basis = rows[active[open_]]
+        x = np.linalg.solve(basis, np.take_along_axis(right[open_], active[open_], 1)[..., None])[..., 0]
+        excess = x @ rows.T - right[open_]
+        enters = excess.argmax(1)
+        done = excess.max(1) <= 1e-13
+        widths[open_[done]] = x[done, 3]
+        open_, enters, basis = open_[~done], enters[~done], basis[~done]
+        if not len(open_):
+            return widths
+        transposed = np.swapaxes(basis, 1, 2)
+        multipliers = np.linalg.solve(transposed, np.tile([0.0, 0.0, 0.0, -1.0], (len(open_), 1))[..., None])[..., 0]
+        of_entering = np.linalg.solve(transposed, rows[enters][..., None])[..., 0]
+        ratio = np.where(of_entering > 1e-12, multipliers / np.where(of_entering > 1e-12, of_entering, 1), np.inf)
+        active[open_, ratio.argmin(1)] = enters
+    raise ArithmeticError("no minimum zone")
+
+
 def zone_width(paths):
     return minimum_zone(np.concatenate([path.points() for path in paths], axis=1))
 
@@ -235,11 +267,33 @@ class Circle:
         if pair and all(path.is_full for path in self.paths) and test["edition"] != "ISO 230-4:1996":
             _, radius = least_squares(self.paths)
             result[f"D_{self.index(self.paths[0])}"] = radius - LONG(str(self.radius)) + shift
+        if self.has_hysteresis():
+            centre, _ = least_squares(self.paths)
+            r = [np.sqrt(((path.points() - centre[:, None]) ** 2).sum(0)) for path in self.paths]
+            result[f"H_{self.index(self.paths[0])}"] = np.abs(self.differences(r)).max()
         return result
+
+    def has_hysteresis(self):
+        return (self.test["edition"] == "ISO 230-4:1996" and not self.is_feedback and len(self.paths) == 2
+                and all(path.is_full for path in self.paths))
+
+    def differences(self, of_paths):
+        """First path minus second, at the same angle; the last axis goes along the paths."""
+        order = [np.argsort(np.round(np.degrees(path.angle.astype(float)), 6) % 360) for path in self.paths]
+        first, second = (values[..., k] for values, k in zip(of_paths, order))
+        return first - second
 
     # --- uncertainty (4.6, combined by propagation) ---
 
-    def squares(self):
+    def of_repetitions(self):
+        """u_rep: s of each result over the circles measured again, µm. Each is measured once in each sense."""
+        arcs = self.test["arcs"]
+        senses = [[k for k, arc in enumerate(arcs) if arc["sense"] == path.sense] for path in self.paths]
+        every = [Circle(self.test, once).results() for once in zip(*senses)]
+        spread = lambda x: np.sqrt(((x - x.mean()) ** 2).sum() / (len(x) - 1))
+        return {name: mpmath.mpf(str(spread(np.array([one[name] for one in every])))) * 1000 for name in every[0]}
+
+    def squares(self, name=None):
         """Squares of the standard uncertainties, µm²."""
         u = self.test["uncertainty"]
         number = lambda value: fraction(value)
@@ -248,6 +302,8 @@ class Circle:
                  "drift": number(u["environmentalVariation"]) ** 2 / 12}
         if u.get("repeatability") is not None:
             parts["repeatability"] = number(u["repeatability"]) ** 2
+        elif name is not None:
+            parts["repeatability"] = self.of_repetitions()[name] ** 2
         length = self.test["referenceLength"]
         if length.get("expandedUncertainty") is not None:
             parts["length"] = (number(length["expandedUncertainty"]) / number(length["coverageFactor"])) ** 2
@@ -274,7 +330,7 @@ class Circle:
 
     def uncertainty(self, name):
         """U (k = 2), mm."""
-        parts = self.squares()
+        parts = self.squares(name)
         uses = ["device", "drift", "repeatability"]
         if name[0] in "FD":
             uses += ["length", "correction"]
@@ -282,9 +338,9 @@ class Circle:
             uses.append("centring")
         if name[0] == "D":
             uses.append("noise")
-        return 2 * mpmath.sqrt(mp(sum(parts.get(key, Fraction(0)) for key in uses))) / 1000
+        return 2 * mpmath.sqrt(sum(mp(parts.get(key, Fraction(0))) for key in uses)) / 1000
 
-    # --- JCGM 101, least squares circles, displacement known exactly ---
+    # --- JCGM 101, displacement known exactly ---
 
     def trials(self, count, seed):
         """Simulated values of every result. Errors are small: the centre follows them linearly, from the normal
@@ -293,6 +349,7 @@ class Circle:
         random = np.random.Generator(np.random.PCG64(seed))
         common = {"length": 0.0, "correction": 0.0}
         parts = self.squares()
+        names = list(self.results())
         blocks = []
         for _ in range(count // 10000):
             n = 10000
@@ -303,28 +360,39 @@ class Circle:
                                + (random.random(size) - 0.5) * float(u["resolution"])
                                + (random.random((n, 1)) - 0.5) * float(u["environmentalVariation"])) / 1000)
             shared = {key: random.standard_normal(n) * math.sqrt(parts.get(key, 0)) / 1000 for key in common}
-            blocks.append(self.evaluated(errors, sum(shared.values())))
-        repeat = math.sqrt(parts.get("repeatability", 0)) / 1000
+            blocks.append(self.evaluated(errors, sum(shared.values()), names))
+        repeat = {name: math.sqrt(self.squares(name).get("repeatability", 0)) / 1000 for name in blocks[0]}
         together = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
-        return {name: y + random.standard_normal(len(y)) * repeat for name, y in together.items()}
+        return {name: y + random.standard_normal(len(y)) * repeat[name] for name, y in together.items()}
 
-    def evaluated(self, errors, shared):
+    def evaluated(self, errors, shared, names):
         result, width = {}, {}
         shift = float(mp(self.correction))
         for path, e in zip(self.paths, errors):
             d, _ = deviations_of([path], [e])
             index = self.index(path)
-            result[f"G_{index}"] = d.max(1) - d.min(1)
+            result[f"G_{index}"] = self.widths([path], d)
             if path.is_full:
                 result[f"Fmax_{index}"] = d.max(1) + shared + shift
                 result[f"Fmin_{index}"] = d.min(1) + shared + shift
         if len(self.paths) == 2:
             d, radius = deviations_of(self.paths, errors)
             index = self.index(self.paths[0])
-            result[f"G(b)_{index}"] = d.max(1) - d.min(1)
-            if all(path.is_full for path in self.paths):
-                result[f"D_{index}"] = radius + shared + shift
-        return {name: result[name] for name in self.results()}
+            if f"G(b)_{index}" in names:
+                result[f"G(b)_{index}"] = self.widths(self.paths, d)
+            result[f"D_{index}"] = radius + shared + shift
+            if self.has_hysteresis():
+                size = len(self.paths[0].angle)
+                result[f"H_{index}"] = np.abs(self.differences([d[:, :size], d[:, size:]])).max(1)
+        return {name: result[name] for name in names}
+
+    def widths(self, paths, d):
+        """Of the minimum zones or about the least squares circle, from deviations about the latter."""
+        if self.test.get("referenceCircle") == "leastSquares":
+            return d.max(1) - d.min(1)
+        centre, _ = least_squares(paths)
+        away = np.concatenate([path.points() for path in paths], axis=1) - centre[:, None]
+        return zone_widths((away / np.sqrt((away ** 2).sum(0))).astype(float), d)
 
 
 def deviations_of(paths, errors):

@@ -195,17 +195,28 @@ def farthest(test, of):
     return max((t - 20 for t in both), key=abs, default=None)
 
 
+def shape(test):
+    """Whether the axis is linear, the unit of its deviations in mm or degrees, the length of the budget."""
+    linear = test["axis"]["motion"] == "linear"
+    length = test["uncertainty"].get("length") or fraction(test["targets"][-1]) - fraction(test["targets"][0])
+    return linear, Fraction(1, 1000) if linear else Fraction(1, 3600), fraction(length)
+
+
+def device_size(test, per_metre_only=False):
+    """U (k = 2) of the instrument, or of the part of it that grows with the length."""
+    device = test["uncertainty"]["device"]
+    linear, unit, length = shape(test)
+    size = fraction(device["perMetre"]) * length / 1000 if linear else Fraction(0)
+    size += 0 if per_metre_only else fraction(device["fixed"])
+    return unit * size * (RECTANGULAR if device["kind"] == "range" else 2 / fraction(device.get("coverageFactor", 2)))
+
+
 def contributions(test, drift_range=None):
     """U (k = 2) of every contribution, mm; rotary: degrees."""
     u = test["uncertainty"]
-    device = u["device"]
-    linear = test["axis"]["motion"] == "linear"
-    unit = Fraction(1, 1000) if linear else Fraction(1, 3600)
-    length = fraction(u.get("length") or fraction(test["targets"][-1]) - fraction(test["targets"][0]))
+    linear, unit, length = shape(test)
     result = {}
-    size = fraction(device["fixed"]) + (fraction(device["perMetre"]) * length / 1000 if linear else 0)
-    result["device"] = unit * (RECTANGULAR * size if device["kind"] == "range"
-                               else size * 2 / fraction(device.get("coverageFactor", 2)))
+    result["device"] = device_size(test)
     if linear:
         result["misalignment"] = Fraction(3, 10) * fraction(u["misalignmentRange"]) ** 2 / length
         for of in ("machine", "instrument"):
@@ -261,7 +272,9 @@ def budget(axis, name, parts, actual=False):
     s2 = mp(systematic(parts))
     # A of one target and direction is 2c·s: it has the row of R, S in full all the same.
     if actual:
-        fixed = mp(parts["device"]) ** 2 if not fraction(axis.test["uncertainty"]["device"]["perMetre"]) else 0
+        # What grows with the length follows the tilt; the rest of the instrument's part counts in full.
+        whole, grows = mp(parts["device"]), mp(device_size(axis.test, per_metre_only=True))
+        fixed = whole ** 2 - grows ** 2
         tilt = mpmath.sqrt(s2 - fixed)
         reached = max(tilted(axis, tilt).result(name)[0], tilted(axis, -tilt).result(name)[0]) - value
         s2 = min(max(reached, mpmath.mpf(0)), tilt) ** 2 + fixed
