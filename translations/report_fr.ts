@@ -1828,6 +1828,10 @@
         <translation>Unité</translation>
     </message>
     <message>
+        <source>Title of the report</source>
+        <translation>Titre du rapport</translation>
+    </message>
+    <message>
         <source>Origin of the data</source>
         <translation>Origine des données</translation>
     </message>

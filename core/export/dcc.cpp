@@ -15,6 +15,7 @@
 #include "language/rounding.h"
 #include "language/visibletext.h"
 #include "report/parts/parts.h"
+#include "report/tables/findinglines.h"
 #include "report/words/accordancetext.h"
 #include "report/words/wording.h"
 
@@ -29,6 +30,7 @@ namespace {
 
 constexpr Text limitWord = REPORT_TEXT("report", "Limit");
 constexpr Text nameAndText = REPORT_TEXT("report", "%1: %2");
+constexpr const char *placeId = "place"; ///< of the statement that names where the tests were made
 
 /// First and last day of the tests: as stated in the head, otherwise of the tests that state theirs.
 std::optional<std::string> dayOf(const Document &document, bool last) {
@@ -147,6 +149,20 @@ private:
     }
     void said(const char *name, const Text &words) { said(name, both(words)); }
 
+    /// Texts that the user entered; nothing if all are empty.
+    void describe(std::initializer_list<std::string> texts) {
+        QStringList stated;
+        for (const std::string &text : texts) {
+            if (const QString trimmed = QString::fromStdString(text).trimmed(); !trimmed.isEmpty())
+                stated << trimmed;
+        }
+        if (!stated.isEmpty())
+            within("dcc:description", [&] {
+                for (const QString &text : stated)
+                    content(text);
+            });
+    }
+
     [[nodiscard]] Both both(const auto &textOf) const { return {textOf(m_french), textOf(m_english)}; }
     [[nodiscard]] Both both(const Text &words) const { return {m_french.text(words), m_english.text(words)}; }
 
@@ -202,7 +218,10 @@ private:
         leaf("dcc:uniqueIdentifier", head().number + (head().revision.empty() ? "" : "-" + head().revision));
         leaf("dcc:beginPerformanceDate", *dayOf(document(), false));
         leaf("dcc:endPerformanceDate", *dayOf(document(), true));
-        leaf("dcc:performanceLocation", QStringLiteral("other")); // named among the statements
+        m_xml.writeStartElement(QStringLiteral("dcc:performanceLocation"));
+        m_xml.writeAttribute(QStringLiteral("refId"), QString::fromLatin1(placeId)); // named there
+        m_xml.writeCharacters(QStringLiteral("other"));
+        m_xml.writeEndElement();
         if (head().date)
             leaf("dcc:issueDate", *head().date);
     }
@@ -224,8 +243,19 @@ private:
     void writeMachine() {
         const Machine &machine = document().machine;
         said("dcc:name", nameOf(machine));
-        if (!machine.condition.empty())
-            said("dcc:description", machine.condition);
+        const auto details = [&](const Language &language) {
+            return machineDetails(Writer(language), machine);
+        };
+        const QString condition = QString::fromStdString(machine.condition).trimmed();
+        if (!details(m_english).isEmpty() || !condition.isEmpty())
+            within("dcc:description", [&] {
+                if (!details(m_english).isEmpty()) {
+                    content(details(m_french), "fr");
+                    content(details(m_english), "en");
+                }
+                if (!condition.isEmpty())
+                    content(condition);
+            });
         writeMake(machine.manufacturer, machine.model, machine.serialNumber);
     }
 
@@ -263,10 +293,14 @@ private:
                   both([](const Language &language) { return scopeText(Writer(language)); }));
         statement(REPORT_TEXT("report", "Expanded uncertainty"),
                   both([](const Language &language) { return coverageText(Writer(language)); }));
+        m_xml.writeStartElement(QStringLiteral("dcc:statement"));
+        m_xml.writeAttribute(QStringLiteral("id"), QString::fromLatin1(placeId));
+        said("dcc:name", REPORT_TEXT("report", "Place"));
+        within("dcc:location", [&] { said("dcc:further", head().place); });
+        m_xml.writeEndElement();
         const std::array stated{
-            std::pair{REPORT_TEXT("report", "Place"), head().place},
-            std::pair{REPORT_TEXT("report", "Supplier"), head().supplier.name},
-            std::pair{REPORT_TEXT("report", "Control"), document().machine.controller},
+            std::pair{REPORT_TEXT("report", "Title of the report"), head().title},
+            std::pair{REPORT_TEXT("report", "Supplier"), partyText(head().supplier).toStdString()},
             std::pair{REPORT_TEXT("report", "Order"), head().order},
             std::pair{REPORT_TEXT("report", "Procedure"), head().procedure},
             std::pair{REPORT_TEXT("report", "Deviations from the method"), head().deviationsFromMethod},
@@ -290,15 +324,19 @@ private:
         const Test &test = *document().tests[index];
         const TestEvaluation &evaluation = *m_evaluated.tests[index];
         said("dcc:name", both([&](const Language &language) { return testName(Writer(language), test); }));
-        if (!test.title.empty())
-            said("dcc:description", test.title);
+        describe({test.title, test.remarks});
         if (evaluation.edition)
             within("dcc:usedMethods/dcc:usedMethod", [&] { writeMethod(test, *evaluation.edition); });
         writeInstruments(test);
         writeConditions(index);
-        within("dcc:results", [&] { writeResults(test, evaluation); });
+        within("dcc:results", [&] { writeResults(index); });
         if (evaluation.edition)
-            within("dcc:measurementMetaData", [&] { writeConformity(test, evaluation); });
+            within("dcc:measurementMetaData", [&] {
+                writeConformity(test, evaluation);
+                writeFindings(index);
+                writeAgreements(index);
+                writeOrigin(test);
+            });
     }
 
     void writeMethod(const Test &test, const Edition &edition) {
@@ -320,20 +358,33 @@ private:
             return;
         within("dcc:measuringEquipments", [&] {
             for (const Instrument *instrument : used)
-                within("dcc:measuringEquipment", [&] { writeInstrument(*instrument); });
+                within("dcc:measuringEquipment", [&] { writeInstrument(*instrument, test); });
         });
     }
 
-    void writeInstrument(const Instrument &instrument) {
+    void writeInstrument(const Instrument &instrument, const Test &test) {
         said("dcc:name", !instrument.description.empty() ? instrument.description
                          : !instrument.model.empty()     ? instrument.model
                                                          : instrument.id);
-        const QString traced = traceabilityText(Writer(m_english), instrument);
-        if (!traced.isEmpty())
-            said("dcc:description", both([&](const Language &language) {
-                     return traceabilityText(Writer(language), instrument);
-                 }));
+        const Both traced = both([&](const Language &language) {
+            const Writer write(language);
+            return joined(
+                {traceabilityText(write, instrument),
+                 labelled(write, REPORT_TEXT("report", "Due"), dateText(write, instrument.calibrationDue))});
+        });
+        if (!traced.english.isEmpty())
+            said("dcc:description", traced);
         writeMake(instrument.manufacturer, instrument.model, instrument.serialNumber);
+        if (instrument.resolution)
+            within("dcc:measuringEquipmentQuantities/dcc:measuringEquipmentQuantity", [&] {
+                said("dcc:name", REPORT_TEXT("report", "Resolution"));
+                real(*instrument.resolution, deviationQuantity(test));
+            });
+    }
+
+    /// "Temperature: machine"; the label alone without a text.
+    static QString labelled(const Writer &write, const Text &label, const QString &text) {
+        return text.isEmpty() ? text : write.say(nameAndText, {label, text.toStdString()});
     }
 
     void condition(const Both &name, const auto &data) {
@@ -343,12 +394,26 @@ private:
         });
     }
 
-    void writeTemperature(const Conditions &conditions, SensorMeasures what) {
-        const Temperatures of = temperaturesOf(conditions, what);
+    /// The mean of several sensors, then each of them with its position.
+    void writeTemperatures(const Conditions &conditions, SensorMeasures what) {
+        std::vector<const Sensor *> sensors;
+        for (const Sensor &sensor : conditions.sensors) {
+            if (sensor.measures == what)
+                sensors.push_back(&sensor);
+        }
+        if (sensors.size() > 1)
+            writeTemperature(temperaturesOf(conditions, what), what, {});
+        for (const Sensor *sensor : sensors)
+            writeTemperature({startTemperature(*sensor), endTemperature(*sensor)}, what, sensor->position);
+    }
+
+    void writeTemperature(const Temperatures &of, SensorMeasures what, const std::string &position) {
         if (!of.start && !of.end)
             return;
-        const auto name = [what](const Language &language) {
-            return language.sentence(nameAndText, {REPORT_TEXT("report", "Temperature"), sensorText(what)});
+        const auto name = [&](const Language &language) {
+            return joined(
+                {language.sentence(nameAndText, {REPORT_TEXT("report", "Temperature"), sensorText(what)}),
+                 QString::fromStdString(position)});
         };
         condition(both(name), [&] {
             for (const auto &[words, value] : {std::pair{REPORT_TEXT("report", "Start"), of.start},
@@ -363,13 +428,22 @@ private:
     void writeConditions(std::size_t index) {
         const Test &test = *document().tests[index];
         const TestEvaluation &evaluation = *m_evaluated.tests[index];
-        const Conditions *conditions = conditionsOf(test);
-        if (!conditions || !evaluation.edition)
+        const Conditions *conditions = evaluation.edition ? conditionsOf(test) : nullptr;
+        if (!conditions && !test.date)
             return;
         within("dcc:influenceConditions", [&] {
+            if (test.date)
+                condition(both(REPORT_TEXT("report", "Date of test")), [&] {
+                    said("dcc:text", both([&](const Language &language) {
+                             return joined(
+                                 {language.date(*test.date), QString::fromStdString(test.time.value_or(""))});
+                         }));
+                });
+            if (!conditions)
+                return;
             for (const SensorMeasures what :
                  {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
-                writeTemperature(*conditions, what);
+                writeTemperatures(*conditions, what);
             QStringList numbers;
             for (const std::string_view key : conditionKeys(test)) {
                 const FieldValue value = fieldValue(test, key);
@@ -408,8 +482,6 @@ private:
                     said("dcc:text",
                          both([&](const Language &language) { return excludedText(*axis, language); }));
                 });
-            if (!QString::fromStdString(test.remarks).trimmed().isEmpty())
-                condition(both(REPORT_TEXT("report", "Remarks")), [&] { said("dcc:text", test.remarks); });
         });
     }
 
@@ -432,7 +504,9 @@ private:
 
     // ---- Results ----
 
-    void writeResults(const Test &test, const TestEvaluation &evaluation) {
+    void writeResults(std::size_t index) {
+        const Test &test = *document().tests[index];
+        const TestEvaluation &evaluation = *m_evaluated.tests[index];
         within("dcc:result", [&] {
             said("dcc:name", REPORT_TEXT("report", "Results"));
             within("dcc:data", [&] {
@@ -449,6 +523,29 @@ private:
         const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
         if (measurement && !measurement->targets.empty())
             within("dcc:result", [&] { writeTargets(*measurement, evaluation); });
+        if (evaluation.edition && usesBudget(evaluation) &&
+            !partOf(index, Writer(m_english)).leavesOut(ReportPart::uncertainty))
+            within("dcc:result", [&] {
+                said("dcc:name", REPORT_TEXT("report", "Uncertainty budget"));
+                within("dcc:data", [&] { writeBudget(test, evaluation); });
+            });
+    }
+
+    [[nodiscard]] TestPart partOf(std::size_t index, const Writer &write) const {
+        return {write, m_evaluated, *document().tests[index], *m_evaluated.tests[index], index};
+    }
+
+    /// Expanded, k = 2; what is not known is said.
+    void writeBudget(const Test &test, const TestEvaluation &evaluation) {
+        for (const Contribution &contribution : evaluation.uncertainty.contributions) {
+            if (contribution.expanded)
+                quantity(contribution.name, *contribution.expanded, deviationQuantity(test));
+            else
+                within("dcc:quantity", [&] {
+                    said("dcc:name", contribution.name);
+                    said("dcc:noQuantity", REPORT_TEXT("report", "not stated"));
+                });
+        }
     }
 
     void writeParameter(const Parameter &parameter, const Test &test, const TestEvaluation &evaluation) {
@@ -627,6 +724,8 @@ private:
                 said("dcc:name", both([&](const Language &language) {
                          return language.text(limitWord) + u' ' + QString::fromStdString(limit.symbol);
                      }));
+                leaf("dcc:norm", limit.limit.edition.value_or(evaluation.edition->word));
+                leafIfStated("dcc:reference", limit.limit.source);
                 said("dcc:declaration", both([&](const Language &language) {
                          return notEvaluableSentence(evaluation, language);
                      }));
@@ -634,6 +733,56 @@ private:
                 within("dcc:data", [&] { quantity(limitWord, *limit.limit.value, deviationQuantity(test)); });
             });
         }
+    }
+
+    /// Requirements and recommendations of the text that the test does not fulfil.
+    void writeFindings(std::size_t index) {
+        const TestEvaluation &evaluation = *m_evaluated.tests[index];
+        if (partOf(index, Writer(m_english)).leavesOut(ReportPart::findings))
+            return;
+        const FindingsBlock there = findingLines(evaluation, m_french, FindingsOf::text);
+        const FindingsBlock here = findingLines(evaluation, m_english, FindingsOf::text);
+        for (std::size_t i = 0; i < here.lines.size(); ++i)
+            within("dcc:metaData", [&] {
+                said("dcc:name", Both{there.lines[i].gradeName, here.lines[i].gradeName});
+                leaf("dcc:norm", std::string(evaluation.edition->word));
+                leafIfStated("dcc:reference", here.lines[i].clause.toStdString());
+                said("dcc:declaration",
+                     Both{there.lines[i].sentence.plain(), here.lines[i].sentence.plain()});
+            });
+    }
+
+    /// The points to be agreed, each with its agreement and its text.
+    void writeAgreements(std::size_t index) {
+        const auto there = agreedPointsOf(partOf(index, Writer(m_french)));
+        const auto here = agreedPointsOf(partOf(index, Writer(m_english)));
+        for (std::size_t i = 0; here && i < here->table.rows.size(); ++i) {
+            const auto &french = there->table.rows[i];
+            const auto &english = here->table.rows[i];
+            const std::size_t keys = here->keys;
+            const auto cell = [&](std::size_t k) {
+                return Both{french[k].text.plain(), english[k].text.plain()};
+            };
+            within("dcc:metaData", [&] {
+                said("dcc:name", cell(keys - 1));
+                const Both agreement = cell(keys);
+                const Both text = cell(keys + 1);
+                said("dcc:declaration", Both{joined({agreement.french, text.french}),
+                                             joined({agreement.english, text.english})});
+            });
+        }
+    }
+
+    /// The files that the readings come from.
+    void writeOrigin(const Test &test) {
+        for (const ImportedFile &file : test.imports)
+            within("dcc:metaData", [&] {
+                said("dcc:name", REPORT_TEXT("report", "Origin of the data"));
+                said("dcc:declaration",
+                     joined({QString::fromStdString(file.fileName),
+                             QStringLiteral("SHA-256 ") + QString::fromStdString(file.sha256)})
+                         .toStdString());
+            });
     }
 
     QXmlStreamWriter m_xml;

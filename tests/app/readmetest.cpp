@@ -48,7 +48,8 @@ void ReadmeTest::everyCommandDoesWhatItSays() {
     QVERIFY(commands > 15);
     for (const char *written :
          {"report.fr.pdf", "report.en.pdf", "deviation.svg", "x-axis.pdf", "laser.palmer",
-          "reports/rotary-axis.pdf", "figures/rotary-axis.svg", "history.pdf"})
+          "reports/rotary-axis.pdf", "figures/rotary-axis.svg", "history.pdf", "certificate.xml",
+          "certificate.pdf"})
         QVERIFY2(QFile::exists(folder.filePath(written)), written);
 }
 

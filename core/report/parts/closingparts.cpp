@@ -24,16 +24,6 @@ std::set<std::string> usedInstruments(const Document &document) {
     return used;
 }
 
-QString machineDetails(const Writer &write, const Machine &machine) {
-    QStringList details;
-    if (!machine.controller.empty())
-        details << write.say(REPORT_TEXT("report", "control %1"), {machine.controller});
-    if (machine.year)
-        details << write.say(REPORT_TEXT("report", "year %1"), {std::to_string(*machine.year)});
-    details << QString::fromStdString(machine.location);
-    return joined(details);
-}
-
 QString selfTestText(const Writer &write, const std::optional<bool> &passed) {
     if (!passed)
         return write.text(REPORT_TEXT("report", "self-test not run"));
@@ -69,6 +59,16 @@ QString knownName(Signer signer, const ReportHead &head) {
 }
 
 } // namespace
+
+QString machineDetails(const Writer &write, const Machine &machine) {
+    QStringList details;
+    if (!machine.controller.empty())
+        details << write.say(REPORT_TEXT("report", "control %1"), {machine.controller});
+    if (machine.year)
+        details << write.say(REPORT_TEXT("report", "year %1"), {std::to_string(*machine.year)});
+    details << QString::fromStdString(machine.location);
+    return joined(details);
+}
 
 QString traceabilityText(const Writer &write, const Instrument &instrument) {
     const Traceability &traced = instrument.traceability;

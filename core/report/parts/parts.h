@@ -302,6 +302,9 @@ void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPar
 /// test by test. Tests as found are only informative if there are others.
 void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
+/// "control …, year …, <place of the machine>", as far as stated.
+[[nodiscard]] QString machineDetails(const Writer &write, const Machine &machine);
+
 /// "calibrated by …, certificate …, <day>, traceable to …, accreditation …, certificate …", as far as stated.
 [[nodiscard]] QString traceabilityText(const Writer &write, const Instrument &instrument);
 
