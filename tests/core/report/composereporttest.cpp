@@ -870,8 +870,43 @@ private slots:
             // Whatever the file says, an option has the same effect.
             changed.report.leaveOut = {};
             const auto file = std::make_shared<const Document>(changed);
-            QVERIFY(!composeReport(evaluate(file), english, {"Palmer " PALMER_VERSION, true, {}, {}, {}, false})
-                         .making.annex);
+            QVERIFY(
+                !composeReport(evaluate(file), english, {"Palmer " PALMER_VERSION, true, {}, {}, {}, false})
+                     .making.annex);
+        }
+    }
+
+    void everyInstrumentSaysWhatItIsTraceableTo() {
+        Document changed = *document("two-tests");
+        changed.instruments.assign(3, {});
+        Instrument &laser = changed.instruments[0];
+        laser.description = "laser";
+        laser.serialNumber = "55";
+        laser.certificate = "C-1";
+        laser.calibratedBy = "Institute";
+        laser.traceability = {"Cofrac", "2-0042", "T-9"};
+        changed.instruments[1].traceability.laboratory = "PTB";
+        for (std::size_t i = 0; i < 3; ++i)
+            changed.instruments[i].id = std::to_string(i);
+        for (const auto &[language, first, second] :
+             {std::tuple(Language::Id::english, "traceable to Cofrac, accreditation 2-0042, certificate T-9",
+                         "traceable to PTB"),
+              std::tuple(Language::Id::french, "raccordé à Cofrac, accréditation 2-0042, certificat T-9",
+                         "raccordé à PTB")}) {
+            const Report composed = report(std::make_shared<const Document>(changed), Language(language));
+            const std::vector<Table> tables = blocksOf<Table>(composed);
+            const auto instruments = std::ranges::find_if(tables, [](const Table &table) {
+                return !table.rows.empty() && table.rows[0].front().text.plain().startsWith("laser");
+            });
+            QVERIFY(instruments != tables.end());
+            QStringList row;
+            for (const Cell &cell : instruments->rows[0])
+                row << cell.text.plain();
+            for (const char *stated : {"55", "C-1", "Institute"})
+                QVERIFY2(row.contains(stated), qPrintable(row.join("; ")));
+            QCOMPARE(instruments->rows[0].front().notes.front().text, first);
+            QCOMPARE(instruments->rows[1].front().notes.front().text, second);
+            QVERIFY(instruments->rows[2].front().notes.empty());
         }
     }
 
