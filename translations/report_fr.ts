@@ -1828,6 +1828,10 @@
         <translation>Unité</translation>
     </message>
     <message>
+        <source>t of the progression of the runs</source>
+        <translation>t de la progression des séries</translation>
+    </message>
+    <message>
         <source>Title of the report</source>
         <translation>Titre du rapport</translation>
     </message>

@@ -6,6 +6,7 @@
 #include "document/json.h"
 #include "document/jsonformats.h"
 #include "document/sha256.h"
+#include "language/units.h"
 
 #include <QCoreApplication>
 #include <QDate>
@@ -33,8 +34,15 @@ Text sourceText(ExpectationSource source) {
                             REPORT_TEXT("report", "second implementation")});
 }
 
+/// It has no unit.
+bool isStudentsT(const Expectation &expected) {
+    return expected.what == Expected::drift && expected.id == "t";
+}
+
 /// Names the method that is compared.
 Text methodText(const Expectation &expected) {
+    if (isStudentsT(expected))
+        return REPORT_TEXT("report", "t of the progression of the runs");
     if (expected.what != Expected::parameter || expected.of.empty())
         return inOrder(expected.what,
                        {REPORT_TEXT("report", "Results"), REPORT_TEXT("report", "Values per target"),
@@ -90,8 +98,7 @@ struct Group {
 
 /// Returns the unit of a value and its tolerance: relative ones and Student's t have none.
 Quantity quantityOf(const Expectation &expected, const SetValidation &set) {
-    const bool isBare = expected.relative || (expected.what == Expected::drift && expected.id == "t");
-    return isBare ? Quantity::number : set.quantity;
+    return expected.relative || isStudentsT(expected) ? Quantity::number : set.quantity;
 }
 
 std::vector<Group> groupsOf(const std::vector<SetValidation> &sets, const Language &language) {
@@ -115,9 +122,10 @@ std::vector<Group> groupsOf(const std::vector<SetValidation> &sets, const Langua
     return result;
 }
 
-/// With few digits: the difference shows the rest.
+/// With few digits of the unit shown: the difference shows the rest.
 QString shown(std::optional<double> value, int digits, Quantity quantity, const Language &language) {
-    const double rounded = QString::number(value.value_or(0), 'g', digits).toDouble();
+    const double scale = unitScale(quantity);
+    const double rounded = QString::number(value.value_or(0) * scale, 'g', digits).toDouble() / scale;
     return value ? withPower(language.quantity(rounded, quantity)) : QString();
 }
 

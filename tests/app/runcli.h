@@ -34,7 +34,8 @@ inline CliResult runCli(const QStringList &arguments, const QByteArray &input = 
     process.start(QStringLiteral(PALMER_CLI), arguments);
     process.write(input);
     process.closeWriteChannel();
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+    constexpr int longest = 240'000; // ms; all simulations of a self-test, under a sanitizer
+    if (!process.waitForFinished(longest) || process.exitStatus() != QProcess::NormalExit)
         qFatal("palmer-cli did not end by itself");
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }

@@ -278,6 +278,12 @@ void ValidationTest::theReportSumsUp() {
         composeValidation({validate(embedded("second/compensation"))}, Language(Language::Id::french)));
     QVERIFY2(french.contains("Tables de compensation") && french.contains("seconde implémentation"),
              qPrintable(french));
+    // Two digits in the unit shown, and t has none.
+    ReferenceSet rotary = withoutSimulations(embedded("second/rotary-axes"));
+    const QString table = plainText(composeValidation({validate(rotary)}, english));
+    QVERIFY2(table.contains("2.2·10⁻⁹″") && !table.contains("2.16"), qPrintable(table));
+    const qsizetype t = table.indexOf("t of the progression of the runs");
+    QVERIFY2(t > 0 && table.mid(t, 120).contains("6·10⁻⁷ "), qPrintable(table));
 }
 
 void ValidationTest::theDocumentNamesTheBuild() {
