@@ -2602,6 +2602,10 @@
         <translation>Une passe n’indique pas son sens et n’a pas été lue.</translation>
     </message>
     <message>
+        <source>the readings of this file are there already; import it once</source>
+        <translation>les relevés de ce fichier sont déjà présents&#x202f;; n’importer chaque fichier qu’une fois</translation>
+    </message>
+    <message>
         <source>it names another machine than the files before it; import the files of each machine into a file of their own</source>
         <translation>il nomme une autre machine que les fichiers précédents&#x202f;; importer les fichiers de chaque machine dans un fichier à part</translation>
     </message>
@@ -8300,6 +8304,10 @@
     <message>
         <source>Columns: “%1” is headed as target positions, but holds none; it is not read.</source>
         <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» annonce des points visés, mais n’en contient pas&#x202f;; elle n’est pas lue.</translation>
+    </message>
+    <message>
+        <source>Unit: a line says %1, the headings %2; read in %2.</source>
+        <translation>Unité&#xa0;: une ligne dit %1, les en-têtes %2&#x202f;; lu en %2.</translation>
     </message>
     <message>
         <source>Unit: the heading “%1” names another unit than the cells of its column; read in %2, as the cells say.</source>

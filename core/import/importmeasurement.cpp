@@ -272,12 +272,44 @@ Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const 
     return imported;
 }
 
-bool areOtherMachines(const Machine &a, const Machine &b) {
-    const auto differ = [](const std::string &one, const std::string &other) {
-        return !one.empty() && !other.empty() && folded(withoutBlanks(one)) != folded(withoutBlanks(other));
+namespace {
+
+bool areStatedDifferently(const std::string &a, const std::string &b) {
+    return !a.empty() && !b.empty() && folded(withoutBlanks(a)) != folded(withoutBlanks(b));
+}
+
+bool haveSameReadings(const Test &a, const Test &b) {
+    const auto same = [](const auto &one, const auto &other) {
+        using Kind = std::decay_t<decltype(one)>;
+        if constexpr (!std::is_same_v<Kind, std::decay_t<decltype(other)>>)
+            return false;
+        else if constexpr (std::is_same_v<Kind, PositioningMeasurement>)
+            return one.targets == other.targets && one.runs == other.runs;
+        else if constexpr (std::is_same_v<Kind, CircularMeasurement>)
+            return one.arcs == other.arcs;
+        else
+            return one == other;
     };
+    return std::visit(same, a.measurement, b.measurement);
+}
+
+/// Throws if the document has the test of these bytes already. Another sheet of the file is another test.
+void requireNew(const Document &document, const Test &test, const ImportedFile &file) {
+    const auto isSame = [&](const TestPointer &known) {
+        return haveSameReadings(*known, test) &&
+               (known->imports.empty() ? known->remarks.find(file.sha256) != std::string::npos
+                                       : known->imports.front().sha256 == file.sha256);
+    };
+    if (std::ranges::any_of(document.tests, isSame))
+        refuseContent(REPORT_TEXT("report", "the readings of this file are there already; import it once"));
+}
+
+} // namespace
+
+bool areOtherMachines(const Machine &a, const Machine &b) {
     const bool areNumbered = !a.serialNumber.empty() && !b.serialNumber.empty();
-    return areNumbered ? differ(a.serialNumber, b.serialNumber) : differ(a.name, b.name);
+    return areNumbered ? areStatedDifferently(a.serialNumber, b.serialNumber)
+                       : areStatedDifferently(a.name, b.name);
 }
 
 void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
@@ -289,13 +321,23 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
     file.sha256 = hash.empty() ? sha256(bytes) : hash;
     if (keepBytes)
         file.data = bytes.toByteArray().toBase64().toStdString();
-    const auto fill = [](std::string &field, const std::string &value) {
+    if (imported.test)
+        requireNew(document, *imported.test, file);
+    std::string others; // what the document states differently
+    const auto keep = [&](const std::string &value) { others += (others.empty() ? "" : ", ") + value; };
+    const auto fill = [&](std::string &field, const std::string &value) {
         if (field.empty())
             field = value;
+        else if (areStatedDifferently(field, value))
+            keep(value);
     };
     Machine &machine = document.machine;
-    const bool isOther = areOtherMachines(machine, imported.machine);
-    if (!isOther) { // else two machines would become one
+    if (areOtherMachines(machine, imported.machine)) { // else two machines would become one
+        for (const std::string &value : {imported.machine.name, imported.machine.serialNumber}) {
+            if (!value.empty())
+                keep(value);
+        }
+    } else {
         fill(machine.name, imported.machine.name);
         fill(machine.manufacturer, imported.machine.manufacturer);
         fill(machine.model, imported.machine.model);
@@ -327,14 +369,13 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
             return remark.choice == "sign" && remark.grade == RemarkGrade::note;
         }))
         file.signAssumed = true;
-    if (isOther)
-        test.remarks += (test.remarks.empty() ? "" : "\n") + file.fileName + ": " + imported.machine.name +
-                        (imported.machine.serialNumber.empty() ? "" : ", " + imported.machine.serialNumber);
+    if (!others.empty())
+        test.remarks += (test.remarks.empty() ? "" : "\n") + file.fileName + ": " + others;
     test.id = freeId(wishedId(test), document.tests);
     test.imports = {file};
     if (!isJudged(test)) {
         test.imports.clear(); // the format stores no imports for drift tests
-        fill(test.remarks, file.fileName + ", SHA-256 " + file.sha256);
+        test.remarks += (test.remarks.empty() ? "" : "\n") + file.fileName + ", SHA-256 " + file.sha256;
     }
     test.instruments.clear();
     for (const Instrument &instrument : imported.instruments)

@@ -120,7 +120,9 @@ void resolveDirections(FoundPasses &found, TableReading &reading) {
             passes[j].direction = directionUnder(choice.value, j, passes.size());
     }
     if (choice.origin == Origin::guessed)
-        reading.remarks.add(isPlain(choice.value, passes) ? RemarkGrade::assumption : RemarkGrade::problem,
+        // A machine's direction of rotation depends on the side it is seen from.
+        reading.remarks.add(isPlain(choice.value, passes) && !found.hasSenses ? RemarkGrade::assumption
+                                                                              : RemarkGrade::problem,
                             "directions", questionFor(choice.value, found, reading.body.opposite));
 }
 

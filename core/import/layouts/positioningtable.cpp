@@ -3,6 +3,7 @@
 #include "import/layouts/placedpass.h"
 #include "import/layouts/tablereading.h"
 
+#include "document/place.h"
 #include "kernel/evaluation/edition.h"
 #include "tables/contenterror.h"
 #include "tables/folded.h"
@@ -225,6 +226,16 @@ void askForOtherQuantity(TableReading &reading) {
     }
 }
 
+/// "Unit: inch" beside headings in mm and µm; "Unit: mm" is the unit of one of them.
+void askForOtherUnit(const FoundPasses &found, TableReading &reading) {
+    const Unit *noted = reading.notes.unit.unit;
+    if (noted && found.unit.unit && noted != found.unit.unit && noted != found.positionUnit.unit &&
+        (noted->kind == UnitKind::length || noted->kind == UnitKind::angle))
+        reading.remarks.problem("unit",
+                                REPORT_TEXT("report", "Unit: a line says %1, the headings %2; read in %2."),
+                                std::string(noted->sign), std::string(found.unit.unit->sign));
+}
+
 bool hasReading(const PlacedPass &placed) {
     return !std::ranges::all_of(placed.pass.readings, &PassReading::isMissing);
 }
@@ -237,6 +248,7 @@ void readPositioning(TableReading &reading) {
     if (std::ranges::none_of(found.passes, hasReading))
         refuseWithoutReadings();
     askForOtherQuantity(reading);
+    askForOtherUnit(found, reading);
     if (!reading.notes.days.empty())
         reading.remarks.problem("columns",
                                 REPORT_TEXT("report",

@@ -4,7 +4,9 @@
 
 #include "core/import/importpicture.h"
 
+#include "document/edits.h"
 #include "kernel/evaluation/edition.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -247,8 +249,83 @@ private slots:
             QCOMPARE(document.machine == before, isOther ||
                                                      next.machine.serialNumber == before.serialNumber ||
                                                      next.machine.serialNumber.empty());
-            QCOMPARE(document.tests[1]->remarks.empty(), !isOther);
+            const bool isNamedDifferently =
+                !before.name.empty() &&
+                QString::fromStdString(before.name)
+                    .compare(QString::fromStdString(next.machine.name), Qt::CaseInsensitive);
+            QCOMPARE(document.tests[1]->remarks.empty(), !isOther && !isNamedDifferently);
         }
+    }
+
+    /// What a document states once and a second file differently stays with that file's test.
+    void keepsWhatTheSecondFileStatesDifferently() {
+        const QByteArray table = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+        for (const auto &[first, second] :
+             {std::pair<QByteArray, QByteArray>{"Operator: Dupont\n", "Operator: Martin\n"},
+              {"Machine: Foo\nLocation: hall 1\n", "Machine: Foo\nLocation: hall 2\n"},
+              {"Machine: Foo\nController: 840D\n", "Machine: Foo\nController: 30i\n"}}) {
+            Document document;
+            addImported(document, importMeasurement(first + table, "1.csv"), first + table, "1.csv", false);
+            const Imported next = importMeasurement(second + table, "2.csv");
+            addImported(document, next, second + table, "2.csv", false);
+            const QByteArray value = second.mid(second.lastIndexOf(": ") + 2).trimmed();
+            QCOMPARE(document.tests[1]->remarks, "2.csv: " + value.toStdString());
+            QVERIFY(document.tests[0]->remarks.empty());
+        }
+    }
+
+    /// A file named twice makes no two tests, also after its conditions were edited.
+    void takesAFileOnce() {
+        const auto take = [](Document &document, const QByteArray &bytes, const QString &name) {
+            addImported(document, importMeasurement(bytes, name), bytes, name, false);
+        };
+        const QByteArray table = "Operator: Dupont\nTarget (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;\n200;5;6\n";
+        for (const QByteArray &bytes :
+             {table,
+              QByteArray(
+                  "angle (deg);radius (mm)\n0;100.001\n90;100.002\n180;100\n270;100.001\n360;100.001\n"),
+              QByteArray("Timestamp;Dev (µm)\n2024-01-31T23:50:00;0\n2024-02-01T00:10:00;1\n")}) {
+            Document document;
+            take(document, bytes, "1.csv");
+            editTest(document, 0, [](Test &test) {
+                if (Conditions *conditions = conditionsOf(test))
+                    conditions->airHumidity = 50;
+            });
+            const Document before = document;
+            QVERIFY_EXCEPTION_THROWN(take(document, bytes, "2.csv"), Error);
+            QVERIFY(document == before);
+        }
+        Document document;
+        take(document, table, "1.csv");
+        take(document, QByteArray(table).replace("Dupont", "Martin"), "2.csv");
+        QCOMPARE(document.tests.size(), std::size_t(2));
+    }
+
+    /// A unit in a line of its own that no heading has.
+    void asksForAUnitThatNoHeadingHas() {
+        const QByteArray table = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+        for (const QByteArray &line :
+             {QByteArray("Unit: inch\n"), QByteArray("Unit;nm\n"), QByteArray("Einheit: mil\n")}) {
+            for (const QByteArray &text : {line + table, table + line})
+                QCOMPARE(gradeOf(importMeasurement(text, "x.csv"), "unit"),
+                         std::optional(QuestionGrade::doubtful));
+        }
+        for (const QByteArray line : {"Unit: mm\n", "Unit: µm\n", "Unit: °C\n"})
+            QVERIFY(!gradeOf(importMeasurement(line + table, "x.csv"), "unit"));
+    }
+
+    /// Which sense of rotation is positive depends on the side it is seen from.
+    void asksWhichSenseIsPositive() {
+        for (const auto &[up, down] : {std::pair{"CW", "CCW"}, std::pair{"clockwise", "counterclockwise"},
+                                       std::pair{"horaire", "antihoraire"}}) {
+            const Imported imported = importMeasurement(QByteArray("Target (°);") + up + " (arcsec);" + down +
+                                                            " (arcsec)\n0;1;4\n90;3;6\n180;5;7\n",
+                                                        "x.csv");
+            QCOMPARE(gradeOf(imported, "directions"), std::optional(QuestionGrade::doubtful));
+        }
+        const Imported imported = importMeasurement(
+            QByteArray("Target (°);CW + (arcsec);CCW - (arcsec)\n0;1;4\n90;3;6\n180;5;7\n"), "x.csv");
+        QVERIFY(!gradeOf(imported, "directions"));
     }
 
     /// A comparison takes no measurement whose doubts nobody has answered.
