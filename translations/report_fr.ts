@@ -8306,8 +8306,8 @@
         <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» annonce des points visés, mais n’en contient pas&#x202f;; elle n’est pas lue.</translation>
     </message>
     <message>
-        <source>Unit: a line says %1, the headings %2; read in %2.</source>
-        <translation>Unité&#xa0;: une ligne dit %1, les en-têtes %2&#x202f;; lu en %2.</translation>
+        <source>Unit: a line says “%1”, the headings %2; read in %2.</source>
+        <translation>Unité&#xa0;: une ligne dit «&#xa0;%1&#xa0;», les en-têtes %2&#x202f;; lu en %2.</translation>
     </message>
     <message>
         <source>Unit: the heading “%1” names another unit than the cells of its column; read in %2, as the cells say.</source>

@@ -3,6 +3,7 @@
 #include "import/filenotes.h"
 
 #include "import/layouts/sections.h"
+#include "kernel/words/characters.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
 
@@ -55,7 +56,7 @@ bool readForm(const std::string &line, FileNotes &notes) {
         QStringLiteral(
             R"(\b(?:scal(?:e factor|ing)|multipl\w*|fa[ck]t(?:or|eur|eurs|oren)|fattore|tenths?|zehntel|)"
             R"(dixi[eè]mes?|hundredths?|hundertstel|centi[eè]mes?|thousandths?|tausendstel|)"
-            R"(milli[eè]mes?)\b)"),
+            R"(milli[eè]mes?)\b|\b[x×]\s?10{1,3}\b)"),
         QRegularExpression::CaseInsensitiveOption);
     static const QRegularExpression behindIn(QStringLiteral(R"(\b(?:in|en)\s+\S+(?:\s\S+)?$)"));
     static const QRegularExpression sign(
@@ -75,10 +76,11 @@ bool readForm(const std::string &line, FileNotes &notes) {
         return true;
     }
     static const QRegularExpression other(QStringLiteral(
-        "resol|auflos|risol|cert|sicher|toler|limit|accura|genau|precis|dead path|travel|distan"));
-    const bool isPart = !said.foreign.empty() && said.foreign.front() >= '0' && said.foreign.front() <= '9' &&
-                        !other.match(QString::fromStdString(folded(line))).hasMatch();
-    if ((isPart || scale.match(text).hasMatch()) && !unit.isSaid())
+        "resol|auflos|risol|cert|sicher|toler|limit|accura|genau|precis|dead path|travel|distan|cover|expan|"
+        "elarg|erweit|copert|cobert|dilat|ausdehn|compens|kompens|correl"));
+    const bool isPart = !said.foreign.empty() && said.foreign.front() >= '0' && said.foreign.front() <= '9';
+    if ((isPart || scale.match(text).hasMatch()) && !unit.isSaid() &&
+        !other.match(QString::fromStdString(folded(line))).hasMatch())
         unit.foreign = text.toStdString();
     else if (sign.match(text).hasMatch() && notes.sign.words.empty())
         notes.sign.words = text.toStdString();

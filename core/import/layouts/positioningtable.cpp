@@ -226,14 +226,16 @@ void askForOtherQuantity(TableReading &reading) {
     }
 }
 
-/// "Unit: inch" beside headings in mm and µm; "Unit: mm" is the unit of one of them.
+/// "Unit: inch", "All values x 10" beside headings in mm and µm; "Unit: mm" is the unit of one of them.
 void askForOtherUnit(const FoundPasses &found, TableReading &reading) {
-    const Unit *noted = reading.notes.unit.unit;
-    if (noted && found.unit.unit && noted != found.unit.unit && noted != found.positionUnit.unit &&
-        (noted->kind == UnitKind::length || noted->kind == UnitKind::angle))
+    const SaidUnit &noted = reading.notes.unit;
+    const bool isSize =
+        !noted.unit || noted.unit->kind == UnitKind::length || noted.unit->kind == UnitKind::angle;
+    if (found.unit.unit && noted.isSaid() && isSize && noted.unit != found.unit.unit &&
+        (!noted.unit || noted.unit != found.positionUnit.unit))
         reading.remarks.problem("unit",
-                                REPORT_TEXT("report", "Unit: a line says %1, the headings %2; read in %2."),
-                                std::string(noted->sign), std::string(found.unit.unit->sign));
+                                REPORT_TEXT("report", "Unit: a line says “%1”, the headings %2; read in %2."),
+                                excerpt(noted.words()), std::string(found.unit.unit->sign));
 }
 
 bool hasReading(const PlacedPass &placed) {

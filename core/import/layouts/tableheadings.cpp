@@ -3,6 +3,7 @@
 #include "import/layouts/tablebody.h"
 
 #include "document/place.h"
+#include "import/filenotes.h"
 #include "import/layouts/sections.h"
 #include "kernel/words/characters.h"
 #include "tables/dates.h"
@@ -150,15 +151,15 @@ bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
     const auto isUnit = [&](const TableCell &cell) {
         const std::string_view text = table.text(cell);
         const HeadingWords heading = readHeading(text);
-        return saysUnit(text) && heading.meaning == Meaning::unknown && !heading.direction &&
+        return saysUnit(text) && heading.meaning == Meaning::unknown && !heading.direction && !heading.hint &&
                !heading.number && heading.unknownWords == 0 && heading.words <= 1;
     };
     return std::ranges::any_of(cells, isUnit);
 }
 
 /// "Name; X position; Y position" above "Unit; mm; mm": properties of each column, as written by
-/// oscilloscopes of controls. Does nothing if no line names the columns.
-void takeFromProperties(const CellTable &table, const TableBlock &block, std::vector<TableColumn> &columns) {
+/// oscilloscopes of controls. False if no line names the columns and none their units.
+bool takeFromProperties(const CellTable &table, const TableBlock &block, std::vector<TableColumn> &columns) {
     const auto rowCalled = [&](std::string_view labels) -> const TableRow * {
         for (const std::uint32_t head : block.heads) {
             const TableRow &row = table.rows()[head];
@@ -173,13 +174,13 @@ void takeFromProperties(const CellTable &table, const TableBlock &block, std::ve
     };
     const TableRow *names = rowCalled("|name|names|signal|channel|kanal|nom|nome|nombre|");
     const TableRow *units = rowCalled("|unit|units|einheit|unite|unita|unidad|");
-    if (!names)
-        return;
-    for (std::size_t c = 1; c < columns.size(); ++c) {
-        columns[c].heading = table.text(table.cells(*names)[c]);
-        if (units)
-            columns[c].heading += " (" + std::string(table.text(table.cells(*units)[c])) + ')';
-    }
+    if (!names || !units)
+        return false;
+    columns.front().heading = "time"; // of the samples
+    for (std::size_t c = 1; c < columns.size(); ++c)
+        columns[c].heading = std::string(table.text(table.cells(*names)[c])) + " (" +
+                             std::string(table.text(table.cells(*units)[c])) + ')';
+    return true;
 }
 
 /// The rows directly above a block that are its column headings, from top to bottom.
@@ -200,9 +201,11 @@ std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBloc
         const bool isGroup = !rows.empty() && isGroupRow(table, row, columns.size());
         if (*at != block.numericHead && !isGroup && !isHeading(table, row, columns.size()))
             break;
-        if (complete && !isGroup && !addsToHeadings(table, row))
-            break;
         const auto cells = table.cells(row);
+        const auto empty = std::ranges::count(cells, CellKind::empty, &TableCell::kind);
+        const bool isStatement = std::ssize(cells) == empty + 2 && isLabelledValue(table, row); // "Unit;nm"
+        if (complete && (isStatement || (!isGroup && !addsToHeadings(table, row))))
+            break;
         complete |= *at != block.numericHead && cells.size() >= columns.size() &&
                     !isRowOfUnits(table, cells) &&
                     std::ranges::all_of(cells.first(columns.size()),
@@ -465,10 +468,10 @@ void findSections(const CellTable &table, TableBody &body) {
         if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment &&
             !table.rows()[block.heads.back()].aside)
             takeFromComment(table, table.rows()[block.heads.back()], columns); // the comment is the heading
-        composeHeadings(table, rows, columns);
-        spreadHeadings(columns);
-        if (std::ranges::all_of(columns, [](const TableColumn &column) { return column.heading.empty(); }))
-            takeFromProperties(table, block, columns);
+        if (!takeFromProperties(table, block, columns)) {
+            composeHeadings(table, rows, columns);
+            spreadHeadings(columns);
+        }
         const bool named =
             std::ranges::any_of(columns, [](const TableColumn &column) { return !column.heading.empty(); });
         if (named || body.sections.empty()) {

@@ -124,10 +124,6 @@ private slots:
         QTest::newRow("thousands and a half, or decimals")
             << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1.000;3;4\n1.500;5;6\n") << "decimalMark";
         const QByteArray commas = "Target (mm),Fwd,Rev\n0,1.5,2.5\n100,3.5,4.5\n200,5.5,6.5\n";
-        for (const char *line : {"Air temperature: 20,5", "Temperature drift 3,5"})
-            QTest::newRow(line) << line +
-                                       ("\n" + QByteArray(commas).replace(",Fwd,Rev", ",Fwd (µm),Rev (µm)"))
-                                << "columns";
         QTest::newRow("a unit torn by a comma") << "Einheit der Abweichungen: 0,1 µm\n" + commas << "unit";
         QTest::newRow("thousands or decimals")
             << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n1.000;3;4\n2.000;5;6\n") << "decimalMark";
@@ -139,6 +135,14 @@ private slots:
         const bool isRefused = imported.refusal.has_value();
         QVERIFY2(isRefused || gradeOf(imported, id.toStdString()) == QuestionGrade::doubtful,
                  qPrintable(testdata::picture(imported) + testdata::questions(imported)));
+    }
+
+    /// A decimal comma in a line above a table whose columns commas separate shifts nothing.
+    void commasOfStatementsPartNothing() {
+        const QByteArray table = "Target (mm),Fwd (µm),Rev (µm)\n0,1.5,2.5\n100,3.5,4.5\n200,5.5,6.5\n";
+        for (const QByteArray line : {"Air temperature: 20,5\n", "Temperature drift 3,5\n"})
+            QCOMPARE(measurementOf(importMeasurement(line + table, "x.csv")).runs,
+                     measurementOf(importMeasurement(table, "x.csv")).runs);
     }
 
     /// Lines found above many tables that say nothing of their numbers raise no doubt.
@@ -259,19 +263,22 @@ private slots:
 
     /// What a document states once and a second file differently stays with that file's test.
     void keepsWhatTheSecondFileStatesDifferently() {
-        const QByteArray table = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
-        for (const auto &[first, second] :
-             {std::pair<QByteArray, QByteArray>{"Operator: Dupont\n", "Operator: Martin\n"},
-              {"Machine: Foo\nLocation: hall 1\n", "Machine: Foo\nLocation: hall 2\n"},
-              {"Machine: Foo\nController: 840D\n", "Machine: Foo\nController: 30i\n"}}) {
+        const QByteArray bytes = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+        const Imported plain = importMeasurement(bytes, "x.csv");
+        const auto remarkOf = [&](auto state) {
             Document document;
-            addImported(document, importMeasurement(first + table, "1.csv"), first + table, "1.csv", false);
-            const Imported next = importMeasurement(second + table, "2.csv");
-            addImported(document, next, second + table, "2.csv", false);
-            const QByteArray value = second.mid(second.lastIndexOf(": ") + 2).trimmed();
-            QCOMPARE(document.tests[1]->remarks, "2.csv: " + value.toStdString());
-            QVERIFY(document.tests[0]->remarks.empty());
-        }
+            for (const char *name : {"1.csv", "2.csv"}) {
+                Imported imported = plain;
+                state(imported) = std::string("of ") + name;
+                addImported(document, std::move(imported), bytes + name, name, false);
+            }
+            return document.tests[0]->remarks + '|' + document.tests[1]->remarks;
+        };
+        const std::string kept = "|2.csv: of 2.csv";
+        QCOMPARE(remarkOf([](Imported &one) -> std::string & { return one.operatorName; }), kept);
+        QCOMPARE(remarkOf([](Imported &one) -> std::string & { return one.machine.location; }), kept);
+        QCOMPARE(remarkOf([](Imported &one) -> std::string & { return one.machine.controller; }), kept);
+        QCOMPARE(remarkOf([](Imported &one) -> std::string & { return one.machine.name; }), kept);
     }
 
     /// A file named twice makes no two tests, also after its conditions were edited.
@@ -289,7 +296,7 @@ private slots:
             take(document, bytes, "1.csv");
             editTest(document, 0, [](Test &test) {
                 if (Conditions *conditions = conditionsOf(test))
-                    conditions->airHumidity = 50;
+                    conditions->expansion.machine = 11;
             });
             const Document before = document;
             QVERIFY_EXCEPTION_THROWN(take(document, bytes, "2.csv"), Error);
@@ -301,17 +308,34 @@ private slots:
         QCOMPARE(document.tests.size(), std::size_t(2));
     }
 
+    /// The clock of an oscilloscope is no target; its columns have the file's own names.
+    void namesTheColumnsOfAnOscilloscope() {
+        QByteArray text = "Name;Circle XY;\n\nName;X fActPosition;Y fActPosition\nData-Type;REAL64;REAL64\n"
+                          "SampleTime;10;10\nUnit;mm;mm\nUnit Offset;0;0\n\n";
+        for (int i = 0; i < 40; ++i)
+            text += QByteArray::number(132900081483250000 + 100000LL * i) + ';' +
+                    QByteArray::number(50 * std::cos(i / 6.0), 'f', 6) + ';' +
+                    QByteArray::number(50 * std::sin(i / 6.0), 'f', 6) + '\n';
+        const Imported shown = showMeasurement(text, "x.csv");
+        QVERIFY(shown.refusal.has_value());
+        QCOMPARE(shown.columns.size(), std::size_t(3));
+        QCOMPARE(shown.columns[1].heading, "X fActPosition (mm)");
+        QCOMPARE(shown.columns[2].heading, "Y fActPosition (mm)");
+    }
+
     /// A unit in a line of its own that no heading has.
     void asksForAUnitThatNoHeadingHas() {
         const QByteArray table = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
-        for (const QByteArray &line :
-             {QByteArray("Unit: inch\n"), QByteArray("Unit;nm\n"), QByteArray("Einheit: mil\n")}) {
+        for (const QByteArray line : {"Unit: inch\n", "Unit;nm\n", "Unit;inch\n", "Scale factor 0.1\n",
+                                      "All values x 10\n", "Deviations in tenths\n"}) {
             for (const QByteArray &text : {line + table, table + line})
-                QCOMPARE(gradeOf(importMeasurement(text, "x.csv"), "unit"),
-                         std::optional(QuestionGrade::doubtful));
+                QVERIFY2(gradeOf(importMeasurement(text, "x.csv"), "unit") == QuestionGrade::doubtful,
+                         text.constData());
         }
-        for (const QByteArray line : {"Unit: mm\n", "Unit: µm\n", "Unit: °C\n"})
-            QVERIFY(!gradeOf(importMeasurement(line + table, "x.csv"), "unit"));
+        for (const QByteArray line :
+             {"Unit: mm\n", "Unit: µm\n", "Unit;mm\n", "Coverage factor k = 2\n", "Expansion factor 11.7\n",
+              "Facteur d'élargissement : 2\n", "Erweiterungsfaktor k=2\n"})
+            QVERIFY2(!gradeOf(importMeasurement(line + table, "x.csv"), "unit"), line.constData());
     }
 
     /// Which sense of rotation is positive depends on the side it is seen from.
