@@ -81,7 +81,8 @@ bool agrees(const Header &header, double low, double high) {
 /// Reads the table, and the lines above it into `header`. Remarks: damaged and missing lines, unknown texts.
 Pass readTable(Imported &imported, Header &header) {
     Pass pass;
-    std::optional<double> lastNo;
+    double lastNo = 0;
+    bool follows = false; // a line that was read
     UnusedLines unused;
     for (const auto &[whole, number] : linesOf(imported.text)) {
         const std::string_view line = withoutBlanks(whole);
@@ -96,15 +97,17 @@ Pass readTable(Imported &imported, Header &header) {
         }
         if (!numbers || numbers->size() != 3) {
             imported.remarks.unlike(number);
-            lastNo.reset(); // reported already
+            follows = false; // reported already
             continue;
         }
-        if (const double no = (*numbers)[0]; lastNo && no != *lastNo + 1)
+        const double no = (*numbers)[0];
+        if (follows && no != lastNo + 1)
             imported.remarks.problem({"unread", number},
                                      REPORT_TEXT("report", "The lines are numbered %1 and then "
                                                            "%2: some are missing, or one is there twice."),
-                                     counted(*lastNo), counted(no));
-        lastNo = (*numbers)[0];
+                                     counted(lastNo), counted(no));
+        lastNo = no;
+        follows = true;
         pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
     }
     unused.remark(imported.remarks);
