@@ -26,7 +26,7 @@ struct SetValidation {
     Words origin;
     Quantity quantity = Quantity::deviation;
     std::vector<Comparison> comparisons;
-    QString digest = {}; ///< SHA-256 of the file
+    QByteArray file = {}; ///< its bytes
 
     [[nodiscard]] bool agrees() const;
 };

@@ -224,7 +224,8 @@ Report composeValidation(const std::vector<SetValidation> &sets, const Language 
     KeyValues origins{{}, labelWidth};
     for (const SetValidation &set : sets)
         origins.rows.push_back({set.name.at(language.code()),
-                                set.origin.at(language.code()) + QStringLiteral("\nSHA-256 ") + set.digest});
+                                set.origin.at(language.code()) + QStringLiteral("\nSHA-256 ") +
+                                    QString::fromStdString(sha256(set.file))});
     report.blocks.emplace_back(std::move(origins));
     return report;
 }
@@ -268,7 +269,7 @@ QByteArray validationJson(const std::vector<SetValidation> &sets) {
         }
         result["sets"].push_back({{"name", set.name.at(english.code()).toStdString()},
                                   {"origin", set.origin.at(english.code()).toStdString()},
-                                  {"sha256", set.digest.toStdString()},
+                                  {"sha256", sha256(set.file)},
                                   {"agrees", set.agrees()},
                                   {"values", std::move(values)}});
     }
