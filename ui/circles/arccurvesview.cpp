@@ -41,10 +41,6 @@ constexpr qsizetype pieceOfCurve = 48;       ///< lines per drawing call
 constexpr double leastRange = 1;             ///< degrees
 constexpr std::size_t drawnAtOnce = 200'000; ///< points; more are made in the background
 
-FigureRole roleOf(Sense sense) {
-    return sense == Sense::counterclockwise ? FigureRole::counterclockwise : FigureRole::clockwise;
-}
-
 } // namespace
 
 ArcCurvesView::ArcCurvesView(Selection &selection, QWidget *parent)
@@ -224,7 +220,7 @@ void ArcCurvesView::drawCurves(QPainter &painter) const {
     painter.setClipRect(plot().adjusted(0, -2, 0, 2));
     const double step = (m_angles.to - m_angles.from) / std::max(1.0, plot().width());
     for (auto profile = m_curves.profiles.rbegin(); profile != m_curves.profiles.rend(); ++profile) {
-        QPen line = figurePen(roleOf(profile->sense), screenMedium(palette()));
+        QPen line = figurePen(pathRole(profile->sense), screenMedium(palette()));
         line.setWidthF(profile->sense == Sense::counterclockwise ? 1.6 : 0.99);
         painter.setPen(line);
         for (const CircleTrace &trace : decimated(*profile, step)) {

@@ -31,9 +31,7 @@ public:
     void paint(QPainter *painter, const QRect &area, QIcon::Mode, QIcon::State state) override {
         const Medium medium = screenMedium(m_owner->palette());
         const auto draw = [&](Sense sense, double y) {
-            QPen pen = figurePen(sense == Sense::counterclockwise ? FigureRole::counterclockwise
-                                                                  : FigureRole::clockwise,
-                                 medium);
+            QPen pen = figurePen(pathRole(sense), medium);
             pen.setWidthF(pen.widthF() * 96 / 72 / (m_repetition ? 2 : 1));
             pen.setCapStyle(Qt::FlatCap);
             if (state == QIcon::Off)

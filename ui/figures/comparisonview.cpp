@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/comparisonview.h"
 
+#include "print/figures/style.h"
 #include "ui/theme.h"
 
 #include <QPainter>
@@ -18,8 +19,7 @@ constexpr double roomLeft = 54;
 constexpr double roomRight = 16;
 constexpr double plotAbove = 30;
 constexpr double plotBelow = 40;
-constexpr double heavyLine = 1.6;
-constexpr double lightLine = 0.9;
+constexpr double meanLine = 1.6;
 constexpr qsizetype markersOfPath = 8;
 
 struct LineStyle {
@@ -111,9 +111,12 @@ void ComparisonView::paintEvent(QPaintEvent *) {
     for (const ComparisonCurve &curve : m_figure.curves) {
         const LineStyle &style = styles.at(curve.test % styles.size());
         const QColor colour = token(style.colour, palette());
-        // Both senses of a circular test have its colour, the clockwise path a light line.
-        const QPen pen(colour, curve.sense == Sense::clockwise ? lightLine : heavyLine,
-                       curve.sense ? Qt::SolidLine : style.dashes);
+        // Both senses of a circular test have its colour and are as heavy and light as on the page.
+        const double width =
+            curve.sense
+                ? figurePen(pathRole(*curve.sense), Medium::screenLight).widthF() / pointsPerPixel
+                : meanLine;
+        const QPen pen(colour, width, curve.sense ? Qt::SolidLine : style.dashes);
         for (const auto &line : curve.lines) {
             QPolygonF points;
             for (const FigurePoint &point : line)

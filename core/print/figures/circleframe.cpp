@@ -72,7 +72,7 @@ QPen CircleFrame::pen(FigureRole role, Qt::PenCapStyle cap) const {
 }
 
 QPen CircleFrame::pen(Sense sense) const {
-    return pen(sense == Sense::counterclockwise ? FigureRole::counterclockwise : FigureRole::clockwise);
+    return pen(pathRole(sense));
 }
 
 QPointF CircleFrame::directionOf(double degrees) {

@@ -57,6 +57,11 @@ constexpr double pointsPerMillimetre = 72 / 25.4;
 constexpr double mm = pointsPerMillimetre;
 constexpr double pointsPerPixel = 72.0 / 96.0; ///< of a screen
 
+/// The path of a sense; which of the two is heavy says its width.
+[[nodiscard]] constexpr FigureRole pathRole(Sense sense) {
+    return sense == Sense::counterclockwise ? FigureRole::counterclockwise : FigureRole::clockwise;
+}
+
 /// Colour, width and dashes of a role; widths in points.
 [[nodiscard]] QPen figurePen(FigureRole role, Medium medium);
 [[nodiscard]] QColor figureColor(FigureRole role, Medium medium);
