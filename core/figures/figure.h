@@ -375,9 +375,20 @@ struct TrendIntervention {
     bool operator==(const TrendIntervention &) const = default;
 };
 
+/// What the legend of trends explains.
+enum class TrendSign { asFound, asLeft, otherSeries, limit, line, intervention, noRole };
+
+struct TrendLegendEntry {
+    TrendSign sign = TrendSign::asFound;
+    QString text;
+
+    bool operator==(const TrendLegendEntry &) const = default;
+};
+
 /// Trend of a parameter over the years, in calendar years and the displayed unit.
 struct TrendPanel {
     QString symbol;
+    QString unitName;     ///< "µm", "arc second": in its head
     QString statement;    ///< "not before March 2028"
     bool isFirst = false; ///< of a page: to be watched first
     FigureAxis x;
@@ -401,8 +412,7 @@ struct TrendFigure {
     QString label = {}; ///< row label: "X"
     QString note = {};  ///< below the label: "1 000 mm"
     std::vector<TrendPanel> panels;
-    std::vector<QString> legend =
-        {}; ///< as found, as left, other series, limit, line, intervention, no role; empty: none
+    std::vector<TrendLegendEntry> legend = {};
 
     bool operator==(const TrendFigure &) const = default;
 };

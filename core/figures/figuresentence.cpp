@@ -126,8 +126,8 @@ struct Describe {
         QStringList parts{figure.label, figure.note};
         for (const TrendPanel &panel : figure.panels)
             parts << (panel.symbol + u' ' + panel.statement).trimmed();
-        for (const QString &entry : figure.legend)
-            parts << entry;
+        for (const TrendLegendEntry &entry : figure.legend)
+            parts << entry.text;
         return titled(figure.title, parts);
     }
 

@@ -8,6 +8,7 @@
 #include "register/trendoutput.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer {
@@ -35,6 +36,7 @@ public:
         m_panel.statement = trendStatement(trend, language);
         m_panel.today = calendarYear(today);
         m_panel.y.unit = language.unit(trendQuantity(trend));
+        m_panel.unitName = unitInWords(trend, language);
         m_panel.y.quantity = m_panel.symbol;
         m_panel.x.quantity = language.text(REPORT_TEXT("report", "Date"));
     }
@@ -245,20 +247,43 @@ TrendFigure trendFigure(const QString &title, const MachineTrend &trend, const Q
             trendLegend(language, {trend})};
 }
 
-std::vector<QString> trendLegend(const Language &language, const std::vector<MachineTrend> &trends) {
-    std::vector<QString> legend{language.text(REPORT_TEXT("report", "as found; bar: ± U")),
-                                language.text(REPORT_TEXT("report", "as left")),
-                                language.text(REPORT_TEXT("report", "another series, not joined")),
-                                language.text(REPORT_TEXT("report", "agreed limit")),
-                                language.text(REPORT_TEXT("report", "line, bounds of 95 %")),
-                                language.text(REPORT_TEXT("report", "intervention"))};
-    const bool anyWithoutRole = std::ranges::any_of(trends, [](const MachineTrend &trend) {
-        return !trend.series.empty() &&
-               std::ranges::any_of(trend.series.front().entries,
-                                   [](const TrendEntry &entry) { return entry.role == TestRole::notStated; });
-    });
-    if (anyWithoutRole)
-        legend.push_back(language.text(REPORT_TEXT("report", "role not stated")));
+std::vector<TrendLegendEntry> trendLegend(const Language &language, const std::vector<MachineTrend> &trends) {
+    const auto inAny = [&trends](auto has) { return std::ranges::any_of(trends, has); };
+    const auto hasEntry = [&](auto is) {
+        return inAny([&](const MachineTrend &trend) {
+            return !trend.series.empty() && std::ranges::any_of(trend.series.front().entries, is);
+        });
+    };
+    const auto hasRole = [&](TestRole role) {
+        return hasEntry([role](const TrendEntry &entry) { return entry.role == role; });
+    };
+    struct Possible {
+        TrendSign sign;
+        Text text;
+        bool occurs;
+    };
+    const std::array rows{
+        Possible{TrendSign::asFound, REPORT_TEXT("report", "as found; bar: ± U"), hasRole(TestRole::asFound)},
+        Possible{TrendSign::asLeft, REPORT_TEXT("report", "as left"), hasRole(TestRole::asLeft)},
+        Possible{TrendSign::noRole, REPORT_TEXT("report", "role not stated"), hasRole(TestRole::notStated)},
+        Possible{TrendSign::otherSeries, REPORT_TEXT("report", "another series, not joined"),
+            inAny([](const MachineTrend &trend) { return trend.series.size() > 1; })},
+        Possible{TrendSign::limit, REPORT_TEXT("report", "agreed limit"),
+            inAny([](const MachineTrend &trend) {
+                return std::ranges::any_of(trend.series, [](const TrendSeries &series) {
+                    return std::ranges::any_of(
+                        series.entries, [](const TrendEntry &entry) { return entry.result.limit.has_value(); });
+                });
+            })},
+        Possible{TrendSign::line, REPORT_TEXT("report", "line, bounds of 95 %"),
+            inAny([](const MachineTrend &trend) { return trend.line && trend.line->isShown(); })},
+        Possible{TrendSign::intervention, REPORT_TEXT("report", "intervention"),
+            inAny([](const MachineTrend &trend) { return !trend.interventions.empty(); })}};
+    std::vector<TrendLegendEntry> legend;
+    for (const Possible &row : rows) {
+        if (row.occurs)
+            legend.push_back({row.sign, language.text(row.text)});
+    }
     return legend;
 }
 

@@ -31,8 +31,8 @@ struct TrendSpan {
 [[nodiscard]] TrendFigure trendFigure(const QString &title, const MachineTrend &trend, const QDate &today,
                                       const Language &language);
 
-/// Returns the legend for the marks of these trends.
-[[nodiscard]] std::vector<QString> trendLegend(const Language &language,
+/// Returns the legend of the signs that occur in these trends.
+[[nodiscard]] std::vector<TrendLegendEntry> trendLegend(const Language &language,
                                                const std::vector<MachineTrend> &trends);
 
 /// Converts a date to a calendar year: 2024.29.

@@ -45,6 +45,11 @@ QString signedNumber(double value, Quantity quantity, int decimals, const Langua
 
 } // namespace
 
+QString unitInWords(const MachineTrend &trend, const Language &language) {
+    const QString unit = language.unit(trendQuantity(trend));
+    return unit == QStringLiteral("″") ? language.text(REPORT_TEXT("report", "arc second")) : unit;
+}
+
 Quantity trendQuantity(const MachineTrend &trend) {
     return trend.angular ? Quantity::angularDeviation : Quantity::deviation;
 }

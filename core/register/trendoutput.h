@@ -49,6 +49,9 @@ namespace palmer {
 /// Returns since, tests, slope, level and scatter. Precondition: the trend has a line.
 [[nodiscard]] std::vector<KeyValue> trendFacts(const MachineTrend &trend, const Language &language);
 
+/// Returns the unit of the values for a heading: "µm", "arc second", because a sign alone is unclear there.
+[[nodiscard]] QString unitInWords(const MachineTrend &trend, const Language &language);
+
 /// Returns the quantity of the values: shown in µm or arc seconds.
 [[nodiscard]] Quantity trendQuantity(const MachineTrend &trend);
 

@@ -245,7 +245,7 @@ void TrendChart::drawInterventionNames(QPainter &painter, const QRectF &plot) co
     constexpr double gap = 4;
     const QColor colour = token(Token::explanation, palette());
     painter.setFont(themeFont(TextSize::tiny));
-    const QString unit = m_panel.symbol + u' ' + m_panel.y.unit;
+    const QString unit = m_panel.symbol + u' ' + m_panel.unitName;
     painter.setPen(token(Token::secondaryText, palette()));
     painter.drawText(QPointF(2, plot.top() - 8), unit);
     double free = 2 + painter.fontMetrics().horizontalAdvance(unit) + gap;

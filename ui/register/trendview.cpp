@@ -80,14 +80,13 @@ void TrendView::showLegend() {
                                                                  {"━", text},
                                                                  {"▬", accent},
                                                                  {"┊", explanation},
-                                                                 {"△", accent}}};
+                                                                 {"△", accent}}}; // as in TrendSign
     QStringList legend;
-    std::vector<QString> texts = trendLegend(windowLanguage(), {m_chart->trend()});
-    constexpr std::size_t another = 2;
-    if (const QString others = otherSeries(m_chart->trend(), windowLanguage()); !others.isEmpty())
-        texts.at(another) = others;
-    for (const QString &one : texts) {
-        const auto &[sign, colour] = signs.at(static_cast<std::size_t>(legend.size()));
+    for (const TrendLegendEntry &entry : trendLegend(windowLanguage(), {m_chart->trend()})) {
+        const auto &[sign, colour] = signs.at(static_cast<std::size_t>(entry.sign));
+        const QString one = entry.sign == TrendSign::otherSeries
+                                ? otherSeries(m_chart->trend(), windowLanguage())
+                                : entry.text;
         // Line breaks only between the entries.
         legend << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")
                       .arg(colour, QString::fromUtf8(sign),

@@ -173,7 +173,7 @@ private:
 
     void drawTitle() {
         const double line = m_area.top() + titleHeight / 2;
-        const QString unit = QStringLiteral(" (") + m_panel.y.unit + QLatin1Char(')');
+        const QString unit = QStringLiteral(" (") + m_panel.unitName + QLatin1Char(')');
         const TextLine symbol = axisTitle(m_panel.y, {}, m_large ? unit : QString());
         // Starts at the axis labels, because "G(b)" with its index is wider than they are.
         drawText(p, {m_area.left(), line}, symbol, colour(FigureRole::text), true);
@@ -200,8 +200,7 @@ private:
     const QRectF &m_plot;
 };
 
-/// Draws the legend sample number `index`, in the order of the texts.
-void drawSample(QPainter &p, std::size_t index, QPointF place, Medium medium) {
+void drawSample(QPainter &p, TrendSign sign, QPointF place, Medium medium) {
     constexpr QPointF half(3 * mm, 0);
     const QColor text = figureColor(FigureRole::text, medium);
     const QColor blue = figureColor(FigureRole::up, medium);
@@ -209,36 +208,34 @@ void drawSample(QPainter &p, std::size_t index, QPointF place, Medium medium) {
     const auto line = [&](const QColor &colour, double width, Qt::PenStyle style = Qt::SolidLine) {
         p.setPen(QPen(colour, width * mm, style, Qt::FlatCap));
     };
-    switch (index) {
-    case 0:
-    case 1:
+    switch (sign) {
+    case TrendSign::asFound:
+    case TrendSign::asLeft:
         line(blue, 0.25);
         p.drawLine(place - QPointF(0, 1.3 * mm), place + QPointF(0, 1.3 * mm));
-        p.setBrush(index == 1 ? blue : ground);
+        p.setBrush(sign == TrendSign::asLeft ? blue : ground);
         return p.drawEllipse(place, markRadius, markRadius);
-    case 2:
+    case TrendSign::otherSeries:
         line(figureColor(FigureRole::guardBand, medium), 0.25);
         p.setBrush(ground);
         return p.drawRect(squareAt(place, markRadius));
-    case 3:
+    case TrendSign::limit:
         line(text, 0.4);
         return p.drawLine(place - half, place + half);
-    case 4:
+    case TrendSign::line:
         p.fillRect(QRectF(place.x() - half.x(), place.y() - 1 * mm, 2 * half.x(), 2 * mm),
                    blend(blue, ground, bandStrength));
         line(blue, 0.4);
         return p.drawLine(place - half, place + half);
-    case 5:
+    case TrendSign::intervention:
         line(text, 0.12, Qt::DashLine);
         return p.drawLine(place - QPointF(0, 1.5 * mm), place + QPointF(0, 1.5 * mm));
-    default:
+    case TrendSign::noRole:
         line(blue, 0.25);
         p.setBrush(ground);
         return p.drawPolygon(triangleAt(place, markRadius));
     }
 }
-
-constexpr std::size_t samples = 7;
 
 } // namespace
 
@@ -269,15 +266,15 @@ FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigur
                  metrics.elidedText(figure.note, Qt::ElideRight, area.width()), text);
     }
     const double column = large ? area.width() / 3 : 0;
-    for (std::size_t i = 0; i < std::min(figure.legend.size(), samples); ++i) {
+    for (std::size_t i = 0; i < figure.legend.size(); ++i) {
         const auto row = static_cast<double>(i);
         const std::size_t line = i / 3;
         const QPointF place =
             large ? QPointF(area.left() + static_cast<double>(i % 3) * column + 4 * mm,
                             area.bottom() - below + (static_cast<double>(line) + 0.5) * legendPitch)
                   : QPointF(left + 4 * mm, area.top() + (row + 1) * 3.6 * mm);
-        drawSample(painter, i, place, medium);
-        drawText(painter, place + QPointF(4.5 * mm, 0), figure.legend[i], text);
+        drawSample(painter, figure.legend[i].sign, place, medium);
+        drawText(painter, place + QPointF(4.5 * mm, 0), figure.legend[i].text, text);
     }
     return result;
 }

@@ -127,7 +127,10 @@ private:
         cells({figure.label, figure.note});
         for (const TrendPanel &panel : figure.panels)
             cells({panel.symbol, panel.statement});
-        cells(QStringList(figure.legend.begin(), figure.legend.end()));
+        QStringList legend;
+        for (const TrendLegendEntry &entry : figure.legend)
+            legend << entry.text;
+        cells(legend);
     }
     void words(const CurveFigure &figure) {
         axis(figure.y);
