@@ -10,6 +10,7 @@
 #include "commandline/terminal.h"
 #include "print/proof/verifyreport.h"
 #include "proof/readreportpdf.h"
+#include "register/historyfile.h"
 #include "report/blocks/plaintext.h"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ int extract(const Invocation &invocation, const QString &output) {
     requireOutput(invocation, output, {"palmer", "json"});
     const QString file = invocation.arguments.front();
     return codeOf(file, invocation.language, [&] {
-        return written(invocation, {{readReportPdf(reportFrom(file)).testFile, output}});
+        return written(invocation, {{readReportPdf(reportFrom(file), Carried::testFileOrHistory).testFile, output}});
     });
 }
 
@@ -83,7 +84,7 @@ int verify(const Invocation &invocation, const Input &input, int threads, bool s
         opened = openReport(reportFrom(input.file), threads, {},
                             [&](const SimulationProgress &progress) { line.show(progress); });
     }
-    const Verification verification = verifyReport(opened.value()); // cannot be stopped
+    const Verification verification = verifyReport(opened.value(), composeHistoryFile); // cannot be stopped
     if (const auto form = jsonForm(invocation, several))
         printOut(verificationJson(verification, input.shown, namesLanguage(invocation),
                                   *form == JsonForm::oneLine));

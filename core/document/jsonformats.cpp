@@ -28,6 +28,7 @@ constexpr std::array rows{
     JsonFormat{"scan", "palmer scan", 1, "palmer-scan", "register scan --json"},
     JsonFormat{"list", "palmer register test", 1, "palmer-list", "register list --json"},
     JsonFormat{"trend", "palmer trend", 1, "palmer-trend", "register trend --json"},
+    JsonFormat{"history", "palmer history", 1, "palmer-history", "register report"},
     JsonFormat{"type", "palmer type test", 1, "palmer-type", "register type --json"},
     JsonFormat{"selftest", "palmer validation", 1, "palmer-validation", "selftest --json"},
     JsonFormat{"error", "palmer error", 1, "palmer-error", "evaluate --json-lines"},

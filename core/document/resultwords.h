@@ -16,6 +16,8 @@ namespace palmer {
 template <>
 inline constexpr auto fileWords<Verdict> = wordsInOrder<Verdict>("conforms", "notProven", "doesNotConform");
 template <>
+inline constexpr auto fileWords<Bound> = wordsInOrder<Bound>("magnitude", "upper", "lower");
+template <>
 inline constexpr auto fileWords<Grade> = wordsInOrder<Grade>("requirement", "recommendation", "note");
 template <>
 inline constexpr auto fileWords<Source> = wordsInOrder<Source>("text", "practice", "laboratory", "program");

@@ -5,6 +5,7 @@
 #include "document/savedocument.h"
 #include "document/testfile.h"
 #include "proof/pdfparts.h"
+#include "report/attachedfile.h"
 
 namespace palmer {
 
@@ -49,9 +50,10 @@ int sortFiles(ReportPdf &result, const std::vector<EmbeddedFile> &files) {
     for (const EmbeddedFile &file : files) {
         const QString name = QString::fromStdString(file.name);
         const QByteArray bytes = QByteArray::fromStdString(file.bytes);
-        if (isTestFileName(name)) {
+        if (isTestFileName(name) || name == historyFileName) {
             result.testFile = bytes;
             result.testFileName = name;
+            result.isHistory = name == historyFileName;
             ++testFiles;
         } else if (name == QLatin1StringView("results.json") && result.results.isEmpty()) {
             result.results = bytes;
@@ -76,7 +78,7 @@ bool isForeignPdf(const QByteArray &pdf) {
     return parts && !parts->encrypted && !readXmp(QByteArray::fromStdString(parts->xmp));
 }
 
-ReportPdf readReportPdf(const QByteArray &pdf) {
+ReportPdf readReportPdf(const QByteArray &pdf, Carried carried) {
     requireReadable(pdf.size());
     const std::optional<PdfParts> parts = partsOf(pdf);
     if (!parts)
@@ -89,6 +91,10 @@ ReportPdf readReportPdf(const QByteArray &pdf) {
     const int testFiles = sortFiles(result, parts->files);
     if (!metadata || testFiles == 0)
         refuseForeign();
+    if (result.isHistory && carried == Carried::testFile)
+        refuse(Error::Kind::content,
+               REPORT_TEXT("report", "this PDF is the history of a machine: it carries the values of its tests and "
+                                     "no test file; verify it, or open the tests it names"));
     if (testFiles > 1)
         refuse(Error::Kind::content,
                REPORT_TEXT("report", "this PDF carries more than one test file, and which of them the report "

@@ -24,8 +24,9 @@ struct SignatureField {
 /// The parts of a report of this program: its last revision, if something was appended.
 struct ReportPdf {
     ReportMetadata metadata; ///< as read by readXmp()
-    QByteArray testFile;
+    QByteArray testFile; ///< or the data of a printed history
     QString testFileName;
+    bool isHistory = false; ///< carries history.json instead of a test file
     QByteArray results;     ///< results.json; may be empty
     QByteArray certificate; ///< dcc.xml; may be empty
     std::vector<PdfAddition> additions;
@@ -42,8 +43,11 @@ inline constexpr qint64 mostUnpacked = qint64(1) << 29;
 /// True for a PDF of another program: readable, but not marked as made by Palmer.
 [[nodiscard]] bool isForeignPdf(const QByteArray &pdf);
 
+/// What a PDF of Palmer has to carry.
+enum class Carried { testFile, testFileOrHistory };
+
 /// Takes a report apart, with bounded memory for any input. Throws Error if the PDF is damaged, encrypted,
-/// too large (mostUnpacked), not made by Palmer, or does not have exactly one test file.
-[[nodiscard]] ReportPdf readReportPdf(const QByteArray &pdf);
+/// too large (mostUnpacked), not made by Palmer, or does not have exactly one such file.
+[[nodiscard]] ReportPdf readReportPdf(const QByteArray &pdf, Carried carried = Carried::testFile);
 
 } // namespace palmer

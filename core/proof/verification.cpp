@@ -52,6 +52,9 @@ QString withDetail(const QString &what, const QString &detail, const Language &l
 } // namespace
 
 QString conclusion(const Verification &verification, const Language &language) {
+    if (verification.follows() && verification.ofHistory)
+        return language.text(REPORT_TEXT(
+            "report", "The trend follows from the attached values; the tests themselves are not attached."));
     if (verification.follows() && verification.otherVersion)
         return language.sentence(
             REPORT_TEXT("report",
@@ -110,7 +113,7 @@ QString verificationText(const Verification &verification, const Language &langu
     const auto add = [&lines](const QString &line) { lines << QStringLiteral("  ") + line; };
     if (!verification.fingerprintPrinted)
         add(language.text(
-            REPORT_TEXT("report", "The fingerprint on the pages is not that of the attached test file.")));
+            REPORT_TEXT("report", "The fingerprint on the pages is not that of the attached file.")));
     for (std::size_t i = 0; i < std::min(verification.differences.size(), mostLines); ++i)
         add(differenceText(verification.differences[i], language));
     if (verification.differences.size() > mostLines)
@@ -146,6 +149,7 @@ QByteArray verificationJson(const Verification &verification, const QString &fil
         signatures.push_back(signatureJson(signature));
     Json file = jsonHead("verification");
     file.update({{"file", fileName.toStdString()},
+                 {"ofHistory", verification.ofHistory},
                  {"follows", verification.follows()},
                  {"identical", verification.identical},
                  {"appended", verification.appended},

@@ -42,6 +42,7 @@ struct SignatureStatement {
 
 /// Outcome of recomputing a report from the test file inside it.
 struct Verification {
+    bool ofHistory = false;              ///< carries values of tests instead of a test file
     bool identical = false;              ///< the whole PDF, byte for byte
     bool appended = false;               ///< the original PDF is unchanged before the appended part
     QString madeBy;                      ///< "Palmer 0.1.0"

@@ -6,15 +6,16 @@
 #include "kernel/evaluation/conformity.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
+#include "register/historyfile.h"
 #include "register/listing.h"
 #include "register/machinetrend.h"
 #include "register/scan.h"
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
+#include "report/attachedfile.h"
 #include "report/words/accordancetext.h"
 #include "report/words/wording.h"
 
-#include <QCryptographicHash>
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
@@ -73,6 +74,9 @@ public:
         Report report;
         report.language = m_language.code();
         const QString title = say(REPORT_TEXT("report", "History of %1"), {name().toStdString()});
+        report.testFile = historyJson(m_history);
+        report.testFileName = historyFileName;
+        report.fingerprint = fingerprint(report.testFile);
         const QString &number = m_history.number;
         report.title = number.isEmpty() ? title : title + u' ' + number;
         report.laboratory = utf8(m_history.laboratory.name);
@@ -88,7 +92,8 @@ public:
         report.footerLeft =
             number.isEmpty() ? title : say(REPORT_TEXT("report", "History %1"), {number.toStdString()});
         report.footerCentre =
-            say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"), {fingerprint().toStdString()});
+            say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"),
+                {shortFingerprint(report.fingerprint).toStdString()});
         report.footerRight = text(REPORT_TEXT("report", "page %1 / %2"));
         return report;
     }
@@ -103,23 +108,6 @@ private:
     [[nodiscard]] QString name() const {
         const QString title = m_history.machine.title();
         return title.isEmpty() ? text(REPORT_TEXT("report", "a machine without name")) : title;
-    }
-
-    /// Returns the fingerprint of the entries used for the history.
-    [[nodiscard]] QString fingerprint() const {
-        constexpr qsizetype shown = 16;
-        constexpr qsizetype group = 4;
-        QStringList digests;
-        for (const ListedTest &test : m_history.tests)
-            digests << test.test.digest;
-        digests.sort();
-        QString hex = QString::fromLatin1(
-            QCryptographicHash::hash(digests.join(u'\n').toLatin1(), QCryptographicHash::Sha256)
-                .toHex()
-                .first(shown));
-        for (qsizetype at = shown - group; at > 0; at -= group)
-            hex.insert(at, u' ');
-        return hex;
     }
 
     [[nodiscard]] QString period() const {
@@ -283,10 +271,8 @@ private:
     [[nodiscard]] QString units() const {
         QStringList result;
         for (const AxisTrends &axis : m_axes) {
-            for (const MachineTrend &trend : axis.trends) {
-                const QString unit = m_language.unit(trendQuantity(trend));
-                result << (unit == QStringLiteral("″") ? text(REPORT_TEXT("report", "arc second")) : unit);
-            }
+            for (const MachineTrend &trend : axis.trends)
+                result << unitInWords(trend, m_language);
         }
         result.removeDuplicates();
         return result.join(QStringLiteral(", "));

@@ -51,13 +51,14 @@ KnownSource sourceOf(const ListedFile &file, SourceState state) {
     return source;
 }
 
-/// Returns the document of a test file or a report; null for a PDF of another program. Throws Error.
+/// Returns the document of a test file or a report; null for a history or a PDF of another program. Throws Error.
 std::optional<Document> documentIn(const QByteArray &bytes) {
     if (!isPdf(bytes))
         return readDocument(bytes);
     if (isForeignPdf(bytes))
         return std::nullopt;
-    return readDocument(readReportPdf(bytes).testFile);
+    const ReportPdf report = readReportPdf(bytes, Carried::testFileOrHistory);
+    return report.isHistory ? std::nullopt : std::optional(readDocument(report.testFile));
 }
 
 ReadFile readFile(const ListedFile &file, const KnownSource *known) {

@@ -22,6 +22,9 @@ enum class Originals { leaveOut, include };
 /// number.
 [[nodiscard]] QString attachedFileName(const Document &document);
 
+/// Name of the file in the PDF of a printed history, which carries no test file.
+inline const QString historyFileName = QStringLiteral("history.json");
+
 /// SHA-256 of that file, 64 hex digits, as `sha256sum` prints it: the fingerprint of the report.
 [[nodiscard]] QString fingerprint(const QByteArray &attachedFile);
 

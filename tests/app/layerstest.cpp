@@ -84,7 +84,7 @@ constexpr Layer layers[]{
     {"ui/register", "kernel document language figures report register print ui ui/model ui/figures ui/help "
                     "ui/dialogs"},
     {"ui/window",
-     "kernel document language import figures editing report export print ui ui/model ui/figures "
+     "kernel document language import figures editing report export print register ui ui/model ui/figures "
      "ui/forms ui/results ui/readings ui/drift ui/circles ui/uncertainty ui/comparison ui/diagnosis ui/proof "
      "ui/help ui/navigation ui/welcome ui/import ui/dialogs ui/register"},
     {"app", "kernel document language import validation export figures editing report proof register print "

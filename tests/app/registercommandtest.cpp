@@ -82,6 +82,7 @@ private slots:
     void aFullDiskLosesNothing();
     void aFullDiskLeavesNoEmptyRegister();
     void theHistoryIsPrinted();
+    void aHistoryProvesItself();
     void whatIsExceededComesFirst();
     void theNumberOfAHistory_data();
     void theNumberOfAHistory();
@@ -553,6 +554,24 @@ void RegisterCommandTest::theHistoryIsPrinted() {
     const QByteArray first = contents(m_dir->filePath("history.fr.pdf"));
     QCOMPARE(reg({"report", "--machine", "000-001", "--language", "fr", "-o", pdf}).code, 0);
     QCOMPARE(contents(pdf), first);
+}
+
+/// It carries the values it shows and is composed again from them.
+void RegisterCommandTest::aHistoryProvesItself() {
+    scan();
+    const QString pdf = m_dir->filePath("history.pdf");
+    const QString data = m_dir->filePath("history.json");
+    QCOMPARE(reg({"report", "--machine", "000-001", "--language", "fr", "-o", pdf}).code, 0);
+    const CliResult verified = runCli({"verify", pdf, "--language", "en"});
+    QVERIFY2(verified.code == 0 && verified.output.contains("The trend follows from the attached values"),
+             verified.output + verified.error);
+    QCOMPARE(runCli({"verify", pdf, "--extract", data}).code, 0);
+    const QJsonObject history = QJsonDocument::fromJson(contents(data)).object();
+    QCOMPARE(history["format"].toString(), QString("palmer history"));
+    QVERIFY(history["tests"].toArray().size() > 5);
+    QVERIFY2(!contents(data).contains(m_dir->path().toUtf8()), "no folder of this machine goes out");
+    const CliResult opened = runCli({"evaluate", pdf});
+    QVERIFY2(opened.code == 3 && opened.error.contains("history of a machine"), opened.error);
 }
 
 /// Above every trend stands the quantity that exceeds its limit now, with value, U and limit.

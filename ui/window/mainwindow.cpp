@@ -18,6 +18,7 @@
 #include "editing/takestatements.h"
 #include "import/formats.h"
 #include "print/proof/verifyreport.h"
+#include "register/historyfile.h"
 #include "ui/circles/circlespage.h"
 #include "ui/dialogs/comparedialog.h"
 #include "ui/dialogs/compensationdialog.h"
@@ -523,7 +524,9 @@ void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
         MainWindow *window = nullptr;
         if (auto *error = std::get_if<Error>(&outcome))
             showError(tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), path, *error);
-        else if (auto *report = std::get_if<OpenedReport>(&outcome))
+        else if (auto *report = std::get_if<OpenedReport>(&outcome); report && report->parts.isHistory)
+            showVerified(*report, path);
+        else if (report)
             window = adoptReport(*report, path);
         else if (std::holds_alternative<Measurement>(outcome))
             importFiles({path});
@@ -584,6 +587,20 @@ MainWindow *MainWindow::adoptReport(const OpenedReport &report, const QString &p
     };
     QMetaObject::invokeMethod(window, verify, Qt::QueuedConnection); // show the document first
     return window;
+}
+
+void MainWindow::showVerified(const OpenedReport &history, const QString &path) {
+    try {
+        const Verification verification = verifyReport(history, composeHistoryFile);
+        auto *box = new QMessageBox(verification.follows() ? QMessageBox::Information : QMessageBox::Warning,
+                                    QFileInfo(path).fileName(), conclusion(verification, windowLanguage()),
+                                    QMessageBox::Ok, this);
+        box->setDetailedText(verificationText(verification, windowLanguage()));
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    } catch (const Error &error) {
+        showError(tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), path, error);
+    }
 }
 
 std::optional<Test> MainWindow::askForTest(Kind kind, bool ofThisFile) {

@@ -134,6 +134,8 @@ private:
     void read(const QString &path, std::optional<std::size_t> test);
     /// Opens the test file inside a report and verifies the report.
     MainWindow *adoptReport(const OpenedReport &report, const QString &path);
+    /// Says whether a printed history follows from the data in it: it has no test file to show.
+    void showVerified(const OpenedReport &history, const QString &path);
     MainWindow *adopt(Document document, const QString &path, bool modified = false,
                       const QString &reportPath = {});
     /// `ofThisFile`: the statements of the test in view may be copied.

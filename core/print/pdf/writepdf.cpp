@@ -5,6 +5,7 @@
 #include "document/documenterror.h"
 #include "export/dcc.h"
 #include "print/pdf/pages.h"
+#include "report/attachedfile.h"
 
 #include <QBuffer>
 #include <QPageLayout>
@@ -92,7 +93,10 @@ std::vector<PdfAttachment> attachmentsOf(const QString &testFileName, const QByt
             attachments.push_back(
                 {name, type, relationship, QString::fromLatin1(description), bytes.size(), packed(bytes)});
     };
-    add(testFileName, "application/vnd.palmer+json", "/Source", "Test file", testFile);
+    if (testFileName == historyFileName)
+        add(testFileName, "application/json", "/Data", "Values of the history", testFile);
+    else
+        add(testFileName, "application/vnd.palmer+json", "/Source", "Test file", testFile);
     add(QStringLiteral("results.json"), "application/json", "/Data", "Results", results);
     add(QString::fromLatin1(dccFileName), "application/xml", "/Data", "Digital calibration certificate",
         certificate);

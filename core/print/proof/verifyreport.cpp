@@ -297,7 +297,9 @@ private:
 
 std::optional<OpenedReport> openReport(const QByteArray &pdf, int threads, const std::stop_token &stop,
                                        const std::function<void(const SimulationProgress &)> &progress) {
-    OpenedReport result{pdf, readReportPdf(pdf), {}};
+    OpenedReport result{pdf, readReportPdf(pdf, Carried::testFileOrHistory), {}};
+    if (result.parts.isHistory)
+        return result;
     result.evaluated = evaluate(std::make_shared<const Document>(attachedDocument(result.parts.testFile)),
                                 nullptr, result.parts.metadata.making.edition.toStdString());
     for (const int number : result.parts.metadata.making.simulated) {
@@ -315,24 +317,34 @@ std::optional<OpenedReport> openReport(const QByteArray &pdf, int threads, const
     return result;
 }
 
-Verification verifyReport(const OpenedReport &report) {
+namespace {
+
+Report composedAgain(const OpenedReport &report, const Language &language, HistoryComposer history) {
+    if (report.parts.isHistory)
+        return history(report.parts.testFile, language);
+    const Making &making = report.parts.metadata.making;
+    return composeReport(
+        report.evaluated, language,
+        {making.program, making.selfTestPassed, {}, report.parts.testFile, {}, making.annex});
+}
+
+} // namespace
+
+Verification verifyReport(const OpenedReport &report, HistoryComposer history) {
     const ReportMetadata &metadata = report.parts.metadata;
     const Language language = Language::fromName(metadata.language).value_or(Language(Language::Id::english));
-    const Report composed = composeReport(report.evaluated, language,
-                                          {metadata.making.program,
-                                           metadata.making.selfTestPassed,
-                                           {},
-                                           report.parts.testFile,
-                                           {},
-                                           metadata.making.annex});
-    const QByteArray results = attachedResults(report.evaluated);
+    const Report composed = composedAgain(report, language, history);
+    const bool isHistory = report.parts.isHistory;
+    const QByteArray results = isHistory ? QByteArray() : attachedResults(report.evaluated);
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    const bool certified = !report.parts.certificate.isEmpty() && missingForDcc(report.evaluated).empty();
+    const bool certified =
+        !isHistory && !report.parts.certificate.isEmpty() && missingForDcc(report.evaluated).empty();
     const QByteArray certificate = certified ? dcc(report.evaluated) : QByteArray();
     writePdf(composed, buffer, results, certificate);
 
     Verification result;
+    result.ofHistory = isHistory;
     result.madeBy = metadata.making.program;
     result.fingerprint = composed.fingerprint;
     result.identical = report.pdf == buffer.data();
@@ -350,7 +362,7 @@ Verification verifyReport(const OpenedReport &report) {
     if (report.parts.testFileName != composed.testFileName)
         result.differences.push_back(otherFileName(report.parts.testFileName));
     if (sameProgram) {
-        const QStringList follows = readReportPdf(buffer.data()).beside;
+        const QStringList follows = readReportPdf(buffer.data(), Carried::testFileOrHistory).beside;
         const auto [shown, expected] = std::ranges::mismatch(report.parts.beside, follows);
         if (shown != report.parts.beside.end() || expected != follows.end())
             result.differences.push_back(

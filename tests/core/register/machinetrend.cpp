@@ -3,6 +3,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "register/machinetrend.h"
+#include "core/register/listedtests.h"
 #include "core/register/registerdata.h"
 #include "register/due.h"
 #include "register/reevaluate.h"
@@ -15,52 +16,12 @@
 
 using namespace palmer;
 using palmer::testdata::fileOf;
+using palmer::testdata::made;
 using palmer::testdata::Sample;
+using palmer::testdata::sinceRepair;
 using palmer::testdata::writeFile;
 
 namespace {
-
-/// A test as the register lists it, without a file.
-ListedTest made(const std::string &date, double value, Purpose purpose = Purpose::periodic,
-                TestRole role = TestRole::asFound) {
-    static int next = 0;
-    ListedTest listed;
-    listed.id = ++next;
-    listed.places = {{QString("/files/%1.palmer").arg(next), 1, "read"}};
-    RegisteredTest &test = listed.test;
-    test.digest = QString::number(next);
-    test.fingerprint = test.digest;
-    test.axis = "X";
-    test.edition = "ISO 230-2:2014";
-    test.date = date;
-    test.feed = 6000;
-    test.travel = 1000;
-    test.purpose = purpose;
-    test.role = role;
-    test.parts = {{"device LSR-1/C-1;", 0.0004}};
-    RegisteredResult result;
-    result.id = "A";
-    result.value = value / 1000;
-    result.expandedUncertainty = 0.001;
-    result.limit = 0.016;
-    result.own = 0.0003;
-    result.shared = 1;
-    test.results = {result};
-    return listed;
-}
-
-/// Six tests from a repair on, as in the picture of the window.
-std::vector<ListedTest> sinceRepair() {
-    return {made("2023-05-16", 9.9),
-            made("2023-11-21", 10.6),
-            made("2024-02-13", 19.3, Purpose::afterCollision),
-            made("2024-04-16", 9.4, Purpose::afterRepair, TestRole::asLeft),
-            made("2024-11-19", 10.5),
-            made("2025-05-20", 10.7),
-            made("2025-11-18", 11.8),
-            made("2026-05-19", 12.0),
-            made("2026-11-17", 12.9)};
-}
 
 std::vector<InterventionKind> kindsOf(const MachineTrend &trend) {
     std::vector<InterventionKind> kinds;

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "register/historyfile.h"
+#include "core/register/listedtests.h"
+#include "document/documenterror.h"
+#include "print/pdf/writepdf.h"
+#include "print/proof/verifyreport.h"
+
+#include <QBuffer>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QTest>
+
+using namespace palmer;
+
+namespace {
+
+History history() {
+    History history;
+    history.machine.name = "Lathe";
+    history.machine.serialNumber = "17";
+    history.machine.months = 12;
+    history.tests = testdata::sinceRepair();
+    history.tests.front().test.date.reset();
+    history.tests.front().test.results.front().value.reset();
+    history.tests[2].test.verdict = Verdict::doesNotConform;
+    history.tests[3].test.results.front().decimals = 1;
+    history.due.tests = {{"X", QDate(2027, 11, 17)}};
+    history.laboratory.name = "Laboratory";
+    history.today = QDate(2026, 11, 28);
+    history.program = "Palmer " PALMER_VERSION;
+    history.number = "HI-1";
+    return history;
+}
+
+QByteArray pdfOf(const Report &report) {
+    QBuffer pdf;
+    pdf.open(QIODevice::WriteOnly);
+    writePdf(report, pdf);
+    return pdf.data();
+}
+
+Verification verified(const QByteArray &pdf) {
+    return verifyReport(openReport(pdf).value(), composeHistoryFile);
+}
+
+/// Each value of the data by its path, replaced by `other`.
+QByteArrayList changedData(const QJsonValue &value, const QJsonValue &other,
+                           const std::function<QByteArray(const QJsonValue &)> &whole) {
+    QByteArrayList result;
+    if (value.isObject()) {
+        const QJsonObject object = value.toObject();
+        for (const QString &key : object.keys()) {
+            const auto around = [&](const QJsonValue &inner) {
+                QJsonObject changed = object;
+                inner.isUndefined() ? changed.remove(key) : (void)(changed[key] = inner);
+                return whole(changed);
+            };
+            result << changedData(object[key], other, around);
+        }
+    } else if (value.isArray() && !value.toArray().isEmpty()) {
+        QJsonArray array = value.toArray();
+        result << changedData(array.first(), other, [&](const QJsonValue &inner) {
+            QJsonArray changed = array;
+            changed[0] = inner;
+            return whole(changed);
+        });
+    }
+    return result << whole(other);
+}
+
+} // namespace
+
+/// The data that the PDF of a history carries.
+class HistoryFileTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everythingShownIsInIt();
+    void otherValuesDoNotFollow();
+    void damagedDataAreRefused();
+};
+
+void HistoryFileTest::everythingShownIsInIt() {
+    const QByteArray json = historyJson(history());
+    QCOMPARE(historyJson(historyFrom(json)), json);
+    for (const Language::Id id : {Language::Id::english, Language::Id::french}) {
+        const Report report = composeHistory(history(), Language(id));
+        QCOMPARE(report.testFile, json);
+        QVERIFY(composeHistoryFile(json, Language(id)) == report);
+        const Verification verification = verified(pdfOf(report));
+        QVERIFY(verification.identical && verification.ofHistory);
+        QCOMPARE(verification.fingerprint, report.fingerprint);
+    }
+    QVERIFY(!json.contains("/files/"));
+}
+
+/// The pages of one history with the data of another, whatever number, verdict or date differs.
+void HistoryFileTest::otherValuesDoNotFollow() {
+    const Language language(Language::Id::english);
+    const QByteArray json = historyJson(history());
+    const Report shown = composeHistory(history(), language);
+    for (const auto &[from, to] : {std::pair{"0.0129", "0.0139"},
+                                   {"0.016", "0.012"},
+                                   {"2026-11-17", "2026-10-17"},
+                                   {"\"doesNotConform\"", "\"conforms\""},
+                                   {"2026-11-28", "2026-11-29"},
+                                   {"2027-11-17", "2027-12-17"}}) {
+        QByteArray changed = json;
+        changed.replace(from, to);
+        QVERIFY2(changed != json, from);
+        Report forged = shown;
+        forged.testFile = changed;
+        forged.footerCentre = composeHistoryFile(changed, language).footerCentre;
+        const Verification verification = verified(pdfOf(forged));
+        QVERIFY2(!verification.follows() && verification.fingerprintPrinted, from);
+    }
+}
+
+void HistoryFileTest::damagedDataAreRefused() {
+    const QJsonObject data = QJsonDocument::fromJson(historyJson(history())).object();
+    const auto whole = [](const QJsonValue &value) {
+        return value.isObject() ? QJsonDocument(value.toObject()).toJson() : QByteArray("1");
+    };
+    int refused = 0;
+    for (const QJsonValue &other : {QJsonValue(QJsonValue::Undefined), QJsonValue("x"), QJsonValue(-1e300),
+                                    QJsonValue(QJsonObject()), QJsonValue(QJsonArray())}) {
+        for (const QByteArray &json : changedData(data, other, whole)) {
+            try {
+                const Report report = composeHistoryFile(json, Language(Language::Id::english));
+                QVERIFY(!report.blocks.empty());
+            } catch (const Error &) {
+                ++refused;
+            }
+        }
+    }
+    QVERIFY2(refused > 150, qPrintable(QString::number(refused)));
+}
+
+QTEST_MAIN(HistoryFileTest)
+#include "historyfile.moc"
