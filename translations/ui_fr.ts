@@ -400,7 +400,7 @@
     </message>
     <message>
         <source>Reversal spike</source>
-        <translation>Pic d’inversion</translation>
+        <translation>Pic de réversibilité</translation>
     </message>
     <message>
         <source>Common lag, three feeds</source>
@@ -5346,7 +5346,7 @@ est la même machine que&#xa0;:</translation>
     </message>
     <message>
         <source>Expanded uncertainties, k = 2</source>
-        <translation>Incertitudes élargies, k = 2</translation>
+        <translation>Incertitudes étendues, k = 2</translation>
     </message>
     <message>
         <source>U(%1)</source>

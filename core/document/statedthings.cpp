@@ -79,7 +79,7 @@ constexpr std::array things{
     StatedThing{"referencePosition", REPORT_TEXT("report", "Zero of displacement"), {}, {.quantity = Quantity::position}},
     StatedThing{"purpose", REPORT_TEXT("report", "Purpose of the test"), REPORT_TEXT("report", "Acceptance, periodic check, comparison, … The step cycle is no reference for acceptance."), {.words = purposeWords}},
     StatedThing{"role", REPORT_TEXT("report", "As found or as left"), REPORT_TEXT("report", "Before or after an adjustment. The verdict of the report rests on all tests except those as found."), {.words = roleWords}},
-    StatedThing{"instrumentPosition", REPORT_TEXT("report", "Position of the instrument"), REPORT_TEXT("report", "Where the measuring device stood, in words; both offsets complete say it as well.")},
+    StatedThing{"instrumentPosition", REPORT_TEXT("report", "Measuring device"), REPORT_TEXT("report", "Where the measuring device stood, in words; both offsets complete say it as well.")},
     StatedThing{"otherAxes", REPORT_TEXT("report", "Axes not under test"), REPORT_TEXT("report", "Where the other axes stood: squareness and pitch of the axis move the readings with them.")},
     StatedThing{"temperatureControlled", REPORT_TEXT("report", "Room temperature can be controlled"), REPORT_TEXT("report", "Where it can, 20 °C are asked for (1988: ± 0.5 °C; the same bound is taken for circles, whose text has none).")},
     StatedThing{"stabilised", REPORT_TEXT("report", "Thermally stable before the test"), REPORT_TEXT("report", "Machine and instruments were long enough in their environment to be thermally stable.")},
