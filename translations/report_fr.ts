@@ -5008,7 +5008,7 @@
     </message>
     <message>
         <source>Reversal spike %1</source>
-        <translation>Pic d’inversion %1</translation>
+        <translation>Pic de réversibilité %1</translation>
     </message>
     <message>
         <source>Periodic deviation %1</source>
@@ -6600,8 +6600,8 @@
         <translation>Ce qui se trouvait sur la machine pendant l’essai&#x202f;; «&#xa0;aucune&#xa0;» est une indication.</translation>
     </message>
     <message>
-        <source>Position of the instrument</source>
-        <translation>Position de l’instrument</translation>
+        <source>Measuring device</source>
+        <translation>Dispositif de mesure</translation>
     </message>
     <message>
         <source>Where the measuring device stood, in words; both offsets complete say it as well.</source>
@@ -6757,8 +6757,8 @@
         <translation>Signature de %1, %2</translation>
     </message>
     <message>
-        <source>The fingerprint on the pages is not that of the attached test file.</source>
-        <translation>L’empreinte imprimée sur les pages n’est pas celle du fichier d’essai joint.</translation>
+        <source>The fingerprint on the pages is not that of the attached file.</source>
+        <translation>L’empreinte imprimée sur les pages n’est pas celle du fichier joint.</translation>
     </message>
     <message>
         <source>… and %1 more; --json has them all</source>
@@ -9230,7 +9230,7 @@
     </message>
     <message>
         <source>The reversal steps lie %1 ± %2 off the axes: check the start angle. Spikes and periodic deviations are not shown until this is settled.</source>
-        <translation>Les sauts d’inversion sont décalés de %1 ± %2 par rapport aux axes&#xa0;: vérifier l’angle de départ. Les pics d’inversion et les écarts périodiques ne sont pas affichés tant que ce point n’est pas réglé.</translation>
+        <translation>Les sauts d’inversion sont décalés de %1 ± %2 par rapport aux axes&#xa0;: vérifier l’angle de départ. Les pics de réversibilité et les écarts périodiques ne sont pas affichés tant que ce point n’est pas réglé.</translation>
     </message>
     <message>
         <source>noise of another kind than white with a short memory</source>
@@ -9270,7 +9270,7 @@
     </message>
     <message>
         <source>The reversal steps lie %1 ± %2 off the axes: the measuring system is turned against them. Spikes and periodic deviations are not shown until this is settled.</source>
-        <translation>Les sauts d’inversion sont décalés de %1 ± %2 par rapport aux axes&#xa0;: le système de mesure est tourné par rapport à ceux-ci. Les pics d’inversion et les écarts périodiques ne sont pas affichés tant que ce point n’est pas réglé.</translation>
+        <translation>Les sauts d’inversion sont décalés de %1 ± %2 par rapport aux axes&#xa0;: le système de mesure est tourné par rapport à ceux-ci. Les pics de réversibilité et les écarts périodiques ne sont pas affichés tant que ce point n’est pas réglé.</translation>
     </message>
     <message>
         <source>noise that differs between angles or senses</source>
@@ -10639,6 +10639,27 @@
     <message>
         <source>largest range within the duration: %1</source>
         <translation>plus grande étendue pendant la durée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Further conditions</source>
+        <translation>Autres conditions</translation>
+    </message>
+    <message>
+        <source>Serial No.</source>
+        <comment>column</comment>
+        <translation>N° de série</translation>
+    </message>
+    <message>
+        <source>The trend follows from the attached values; the tests themselves are not attached.</source>
+        <translation>La tendance découle des valeurs jointes ; les essais eux-mêmes ne sont pas joints.</translation>
+    </message>
+    <message>
+        <source>this PDF is the history of a machine: it carries the values of its tests and no test file; verify it, or open the tests it names</source>
+        <translation>ce PDF est l’historique d’une machine&#xa0;: il porte les valeurs de ses essais, sans fichier d’essai ; vérifiez-le ou ouvrez les essais qu’il nomme</translation>
+    </message>
+    <message>
+        <source>these are no data of a printed history, or a newer program wrote them</source>
+        <translation>ce ne sont pas les données d’un historique imprimé, ou un programme plus récent les a écrites</translation>
     </message>
 </context>
 </TS>

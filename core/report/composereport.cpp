@@ -111,6 +111,8 @@ void addAnnex(std::vector<Block> &blocks, const TestPart &part) {
         if (part.count > 1)
             addTemperatureCurve(blocks, own);
     });
+    if (part.count == 1)
+        addFurtherConditions(blocks, part);
     addBudget(blocks, part);
     if (part.count == 1) {
         addLimits(blocks, part);

@@ -110,6 +110,7 @@ Strips lineStrips(const TextBlock &block) {
 }
 
 Strips keyValueStrips(const KeyValues &values, double width) {
+    constexpr double labelRoom = 1.5 * mm; // at least, between a label and its value
     const double labelGap = (values.narrow ? 1.5 : 3.0) * mm;
     const double rowGap = (values.narrow ? 0.45 : 0.75) * mm;
     const TextStyle &labels = values.narrow ? narrowLabelStyle : labelStyle;
@@ -119,7 +120,7 @@ Strips keyValueStrips(const KeyValues &values, double width) {
     Strips result;
     for (const KeyValue &row : values.rows) {
         const bool missing = row.value.isEmpty();
-        TextBlock label(row.key, labels, values.labelWidth * mm + labelGap / 2);
+        TextBlock label(row.key, labels, left - labelRoom);
         TextBlock value(missing ? thinDash : row.value, missing ? dashes : stated,
                         std::max(width - left, 20.0));
         // Label and value share a baseline.
@@ -164,10 +165,10 @@ Strips headingStrips(const Heading &heading, double width) {
     constexpr double noteGap = 2 * mm;
     const TextBlock title(heading.text, style, width);
     const double noteLeft = title.width() + noteGap;
-    TextStyle beside = noteStyle;
-    while (beside.size > smallestOfOneLine &&
-           noteLeft + TextBlock(richText(heading.note), beside).width() > width)
-        beside.size -= 0.1;
+    const TextStyle beside =
+        fitted(noteStyle, smallestOfOneLine, width - noteLeft, [&](const TextStyle &tried) {
+            return TextBlock(richText(heading.note), tried).width();
+        });
     const TextBlock wholeNote(richText(heading.note), beside);
     Strip result;
     const bool fits =
@@ -349,9 +350,9 @@ Strips testHeadStrips(const TestHead &head, double width, double tallest) {
     };
     line(head.title, h1, titleGap);
     line(head.subtitle, subtitleStyle, subtitleGap);
-    TextStyle small = noteStyle;
-    while (small.size > smallestOfOneLine && TextBlock(head.editionTitle, small).width() > width)
-        small.size -= 0.1;
+    const TextStyle small = fitted(noteStyle, smallestOfOneLine, width, [&](const TextStyle &style) {
+        return TextBlock(head.editionTitle, style).width();
+    });
     line(head.editionTitle, small, subtitleGap / 2);
     line(head.notice, {9, true, black, 1.28}, 2 * subtitleGap);
     result.push_back(strip(
@@ -469,11 +470,9 @@ TextBlock verdictWord(const VerdictLine &line, const QString &text, double width
     TextStyle style{12, true, black, 1.2};
     if (line.large)
         style.size = std::max(line.word.size(), line.second.size()) > longWord ? 14 : 18;
-    const auto widest = [&] {
-        return std::max(TextBlock(line.word, style).width(), TextBlock(line.second, style).width());
-    };
-    while (style.size > smallest && widest() > width)
-        style.size -= 0.1;
+    style = fitted(style, smallest, width, [&](const TextStyle &tried) {
+        return std::max(TextBlock(line.word, tried).width(), TextBlock(line.second, tried).width());
+    });
     return text.isEmpty() ? TextBlock() : TextBlock(text, style, width);
 }
 
@@ -523,11 +522,9 @@ Strips verdictStrips(const VerdictLine &line, double width) {
 
 /// A heading at the largest size that fits its column.
 TextBlock signatureHeading(const QString &text, double width) {
-    TextStyle style = h3;
     constexpr double smallest = 7.5;
-    while (style.size > smallest && TextBlock(text, style).width() > width)
-        style.size -= 0.1;
-    return {text, style, width};
+    const auto widthOf = [&](const TextStyle &style) { return TextBlock(text, style).width(); };
+    return {text, fitted(h3, smallest, width, widthOf), width};
 }
 
 std::vector<double> signatureWidths(const Signatures &signatures, double width, double gap) {
@@ -603,8 +600,10 @@ private:
         return result;
     }
 
-    [[nodiscard]] static double neededBy(const SignatureLine &line, const Line &made) {
-        const double empty = line.forSignature ? signatureHeight : lineHeight;
+    [[nodiscard]] double neededBy(const SignatureLine &line, const Line &made) const {
+        const double empty = line.forSignature      ? signatureHeight
+                             : m_signatures.narrow ? narrowLine
+                                                   : lineHeight;
         return (line.height > 0 ? line.height * mm : empty) + made.more();
     }
 
@@ -625,6 +624,7 @@ private:
 
     static constexpr double gap = 8 * mm;
     static constexpr double lineHeight = 7.4 * mm;
+    static constexpr double narrowLine = 5.6 * mm;
     static constexpr double signatureHeight = 17 * mm; ///< 12 mm free below the label
     static constexpr double signatureLabel = 1.2 * mm;
     static constexpr double labelAbove = 4 * mm; ///< from a label to its rule

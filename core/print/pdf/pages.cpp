@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace palmer {
 
@@ -646,8 +647,24 @@ bool moveToAnnex(MeasuredBlocks &blocks) {
     return false;
 }
 
-/// A report on its pages. Text is measured at most twice: all of it once, with the widest page numbers; what
-/// names a page again with its number, in the height it had.
+/// Sets what a block holds smaller and closer, as far as it can be.
+template <class Holder>
+void setNarrow(Holder &block) {
+    if constexpr (requires { block.narrow; })
+        block.narrow = true;
+    if constexpr (std::is_same_v<Holder, TestHead>) {
+        setNarrow(block.left);
+        setNarrow(block.right);
+    } else if constexpr (std::is_same_v<Holder, SideBySide>) {
+        for (auto *side : {&block.left, &block.right}) {
+            for (Part &part : *side)
+                std::visit([](auto &each) { setNarrow(each); }, part);
+        }
+    }
+}
+
+/// A report on its pages. Text is measured once, with the widest page numbers; again is measured what names a
+/// page, with its number and in the height it had, and what is set narrow in a certificate that is too long.
 class Layout {
 public:
     Layout(const Report &report, QSizeF size, const std::stop_token &stop = {})
@@ -655,16 +672,15 @@ public:
         , m_width(size.width() - leftMargin - rightMargin)
         , m_bottom(size.height() - bottomMargin)
         , m_flow(m_bottom) {
-        std::map<QString, int> widest;
         constexpr int widestNumber = 888;
         for (const Block &block : report.blocks) {
             if (const QString anchor = anchorOf(block); !anchor.isEmpty())
-                widest.emplace(anchor, widestNumber);
+                m_widest.emplace(anchor, widestNumber);
         }
         for (const Block &block : report.blocks) {
             if (stop.stop_requested())
                 break;
-            m_blocks.push_back({block, stripsOf(block, widest)});
+            m_blocks.push_back({block, stripsOf(block, m_widest)});
         }
         arrange();
         squeezeEnds();
@@ -709,19 +725,50 @@ private:
         }
     }
 
-    /// If the certificate has too many pages: narrower gaps, then sections to the annex; if that is not
-    /// enough, wide gaps again. Returns true if anything changed.
+    /// If the certificate has too many pages: narrower gaps, then sections to the annex, then everything
+    /// closer, at first behind the pages of heads; if that saves no page, as wide as before. Returns true if
+    /// anything changed.
     bool shorten() {
-        if (m_report.certificatePages == 0 ||
-            pagesBeforeAnnex(m_blocks, m_flow) <= m_report.certificatePages || m_tooLong)
+        const int pages = pagesBeforeAnnex(m_blocks, m_flow);
+        if (m_report.certificatePages == 0 || pages <= m_report.certificatePages || m_tooLong)
             return false;
-        if (m_narrowing == 1)
+        if (m_narrowing == 1) {
+            m_narrowing = slightlyNarrower;
+        } else if (m_wide.empty() && moveToAnnex(m_blocks)) {
+            return true;
+        } else if (m_wide.empty()) {
+            m_wide = m_blocks;
+            m_widePages = pages;
+            narrowBlocks(false);
+        } else if (m_narrowing > narrowest) {
             m_narrowing = narrowest;
-        else if (!moveToAnnex(m_blocks)) {
-            m_narrowing = 1;
+        } else if (!m_narrowHeads) {
+            m_narrowHeads = true;
+            narrowBlocks(true);
+        } else {
             m_tooLong = true;
+            if (pages < m_widePages)
+                return false;
+            m_blocks = std::move(m_wide);
+            m_narrowing = 1;
         }
         return true;
+    }
+
+    /// Sets the blocks of the certificate narrow, those on the page of a head only with `heads`.
+    void narrowBlocks(bool heads) {
+        const std::vector<int> pages = pagesOfBlocks(m_flow, m_blocks.size());
+        std::set<int> ofHeads;
+        for (std::size_t i = 0; i < m_blocks.size(); ++i) {
+            if (asA<TestHead>(m_blocks[i]))
+                ofHeads.insert(pages[i]);
+        }
+        for (std::size_t i = 0; i < m_blocks.size() && !isAnnex(m_blocks[i]); ++i) {
+            if (heads == ofHeads.contains(pages[i])) {
+                std::visit([](auto &block) { setNarrow(block); }, m_blocks[i].block);
+                m_blocks[i].strips = stripsOf(m_blocks[i].block, m_widest);
+            }
+        }
     }
 
     /// Narrower gaps, if that saves a page of the annex, or the last one of a certificate that stays too
@@ -768,6 +815,10 @@ private:
     Flow m_flow;
     double m_narrowing = 1; ///< factor for the larger gaps of the certificate
     double m_narrowingOfAnnex = 1;
+    std::map<QString, int> m_widest; ///< page numbers of anchors before they are known
+    MeasuredBlocks m_wide;           ///< before anything was set narrow
+    int m_widePages = 0;             ///< of the certificate then
+    bool m_narrowHeads = false;
     bool m_tooLong = false; ///< whatever is done
 };
 

@@ -18,6 +18,7 @@ constexpr double textSize = 8.5;
 constexpr double cellPadding = 1.0 * mm; ///< left and right
 constexpr double firstPadding = 1.2 * mm;
 constexpr double rowPadding = 0.52 * mm; ///< above and below
+constexpr double narrowPadding = 0.25 * mm;
 constexpr double headAbove = 1.15 * mm;
 constexpr double headBelow = 1.05 * mm;
 constexpr double spannerGap = 0.95 * mm; ///< between a spanner, its rule and the titles below
@@ -194,10 +195,10 @@ double beginningOf(const Cell &cell, const Place &place) {
 /// reduced if that is not enough.
 PlacedText narrowText(const Cell &cell, const Place &place, double room) {
     constexpr double smallest = 7;
-    TextStyle style = cellStyle;
     const RichText text = richText(cell.text, cell.bold);
-    while (style.size > smallest && TextBlock(text, style).width() > room)
-        style.size -= 0.1;
+    TextStyle style = fitted(cellStyle, smallest, room, [&](const TextStyle &tried) {
+        return TextBlock(text, tried).width();
+    });
     style.leading *= cellStyle.size / style.size;
     return {TextBlock(text, style, room), place.left, room, TextAlignment::left};
 }
@@ -355,14 +356,14 @@ void keepTogether(Strips &strips, bool all, bool headed, std::size_t least) {
 }
 
 /// Additional height below each row for cells that span several rows.
-std::vector<double> roomBelow(const std::vector<PrintedRow> &rows) {
+std::vector<double> roomBelow(const std::vector<PrintedRow> &rows, double padding) {
     std::vector<double> result(rows.size(), 0);
     const double lineHeight = textSize * cellStyle.leading;
     for (std::size_t r = 0; r < rows.size(); ++r) {
         const std::size_t end = std::min(r + rows[r].beside, rows.size());
-        double height = -2 * rowPadding;
+        double height = -2 * padding;
         for (std::size_t i = r; i < end; ++i)
-            height += static_cast<double>(rows[i].lines) * lineHeight + 2 * rowPadding;
+            height += static_cast<double>(rows[i].lines) * lineHeight + 2 * padding;
         if (rows[r].beside > 1)
             result[end - 1] = std::max(0.0, static_cast<double>(rows[r].besideLines) * lineHeight - height);
     }
@@ -394,8 +395,9 @@ public:
             const Place &place = places[i];
             const auto last =
                 std::min(i + static_cast<std::size_t>(std::max(column.titleSpan, 1)), places.size()) - 1;
-            const bool right = column.alignment != Alignment::left; // may extend to the left
-            const double room = places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding);
+            // May extend halfway to its neighbour: to the right, above numbers to the left.
+            const bool right = column.alignment != Alignment::left;
+            const double room = places[last].right() - place.left + cellPadding;
             Title title;
             if (!column.title.plain().isEmpty())
                 title.name = headText(column.title, room);
@@ -622,7 +624,8 @@ Strips tableStrips(const Table &table, double width) {
         rows.push_back(rowOf(table, cells, columns));
         rows.back().cells = tags.of(cells);
     }
-    const std::vector<double> below = roomBelow(rows);
+    const double padding = table.narrow ? narrowPadding : rowPadding;
+    const std::vector<double> below = roomBelow(rows, padding);
     std::size_t together = 0; // rows before this one stay with the next
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const auto isIn = [r](const std::vector<std::size_t> &rules) {
@@ -633,7 +636,7 @@ Strips tableStrips(const Table &table, double width) {
         together = std::max(together, r + rows[r].beside);
         const std::size_t before = strips.size();
         addRow(strips, std::move(rows[r]), textSize * cellStyle.leading, width,
-               {rowPadding, rowPadding + below[r], strong || isIn(table.rulesAfter), last,
+               {padding, padding + below[r], strong || isIn(table.rulesAfter), last,
                 r < table.links.size() ? table.links[r] : QString(), strong},
                head);
         for (std::size_t i = before; r + 1 < together && i < strips.size(); ++i)
@@ -654,8 +657,8 @@ Strips tableStrips(const Table &table, double width) {
 }
 
 Strips findingStrips(const FindingsBlock &findings, double width) {
-    constexpr TextStyle style{9, false, black, 1.28};
-    constexpr double padding = 0.5 * mm;
+    const TextStyle style{findings.narrow ? textSize : 9, false, black, findings.narrow ? 1.2 : 1.28};
+    const double padding = findings.narrow ? narrowPadding : 0.5 * mm;
     constexpr double textLeft = firstPadding + 3.2 * mm + cellPadding;
     constexpr double widestClause = 40 * mm;
     double clauseWidth = 12 * mm; // or as wide as two lines of each need

@@ -358,11 +358,9 @@ TextBlock::TextBlock(const RichText &text, const TextStyle &style, double width)
         for (const TextRun &run : word.runs)
             append(run, width);
     }
-    // Lines of unlimited width are measured once they are complete.
-    if (width >= unlimited) {
-        for (Line &line : m_lines)
-            measure(line);
-    }
+    // While a line grows its width is the sum of its words.
+    for (Line &line : m_lines)
+        measure(line);
 }
 
 void TextBlock::beginWord(const std::vector<TextRun> &runs, bool spaceBefore, double width) {
@@ -411,17 +409,11 @@ void TextBlock::appendToLine(const TextRun &run, double width) {
     else
         line.fragments.push_back({run, 0});
     if (width < unlimited)
-        measureEnd(line);
-}
-
-void TextBlock::measureEnd(Line &line) const {
-    Fragment &last = line.fragments.back();
-    line.width -= last.width;
-    last.width = widthOf(last.run, m_style);
-    line.width += last.width;
+        line.width += widthOf(run, m_style);
 }
 
 void TextBlock::measure(Line &line) const {
+    line.width = 0;
     for (Fragment &fragment : line.fragments) {
         fragment.width = widthOf(fragment.run, m_style);
         line.width += fragment.width;

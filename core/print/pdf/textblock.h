@@ -6,6 +6,8 @@
 #include <QRectF>
 #include <QRgb>
 #include <QString>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 class QPainter;
@@ -82,8 +84,7 @@ private:
     /// Appends a run, broken if it is wider than a line.
     void append(const TextRun &run, double width);
     void appendToLine(const TextRun &run, double width);
-    void measure(Line &line) const;
-    void measureEnd(Line &line) const; ///< after its last fragment has grown
+    void measure(Line &line) const; ///< once it is complete
 
     TextStyle m_style;
     std::vector<Line> m_lines;
@@ -91,6 +92,21 @@ private:
 
 /// Width of a text on one line, points.
 [[nodiscard]] double textWidth(const QString &text, const TextStyle &style);
+
+/// The style at the largest size down to `smallest`, in tenths, at which `width(style)` is at most `room`. Widths
+/// are taken as nearly proportional: each size that is tried loads a font.
+template <class Width>
+[[nodiscard]] TextStyle fitted(TextStyle style, double smallest, double room, Width width) {
+    constexpr double step = 0.1;
+    const double wide = width(style);
+    if (wide <= room || style.size <= smallest)
+        return style;
+    const double guess = std::floor(style.size * room / wide / step + 1) * step;
+    style.size = std::clamp(guess, smallest, std::max(smallest, style.size - step));
+    while (style.size > smallest && width(style) > room)
+        style.size -= step;
+    return style;
+}
 
 /// A text on one line, cut at its end to fit.
 [[nodiscard]] TextBlock elided(const QString &text, const TextStyle &style, double width);

@@ -144,6 +144,7 @@ struct Paragraph {
 struct KeyValue {
     QString key;
     QString value;
+    bool further = false; ///< nobody asks for it: it stands in the annex, if there is one
 
     bool operator==(const KeyValue &) const = default;
 };
@@ -200,6 +201,7 @@ struct Table {
     std::vector<Spanner> spanners = {};
     bool unbroken = false; ///< never split over two pages
     bool headless = false;
+    bool narrow = false; ///< rows closer
     std::vector<QString> links =
         {}; ///< anchors that the rows link to, one per row; empty if the rows have no links
 
@@ -306,6 +308,7 @@ struct FindingLine {
 
 struct FindingsBlock {
     std::vector<FindingLine> lines;
+    bool narrow = false; ///< smaller and closer
 
     bool operator==(const FindingsBlock &) const = default;
 };
@@ -332,6 +335,7 @@ struct SignatureColumn {
 /// label and value of each line.
 struct Signatures {
     std::vector<SignatureColumn> columns;
+    bool narrow = false; ///< lines closer, with the same space for signatures
 
     bool operator==(const Signatures &) const = default;
 };

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double statementLabels = 44;  ///< mm
 constexpr double labelsBeside = 36;     ///< in two columns of statements, mm
-constexpr qsizetype longestBeside = 26; ///< characters of a statement that fits on a line there
+constexpr qsizetype lineBeside = 28;    ///< characters of a line there
+constexpr qsizetype longestBeside = 56; ///< of a statement there
 
 /// Ids of the instruments named by the tests.
 std::set<std::string> usedInstruments(const Document &document) {
@@ -89,13 +90,15 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
         return;
     const std::set<std::string> used = usedInstruments(*evaluated.document);
     Table table;
-    table.columns = {write.flexible(REPORT_TEXT("report", "Instrument"), 41),
-                     write.column(REPORT_TEXT("report", "Serial number"), 20),
-                     write.column(REPORT_TEXT("report", "Certificate"), 21),
+    table.columns = {write.flexible(REPORT_TEXT("report", "Instrument"), 48),
+                     write.column(REPORT_TEXT_FOR("report", "Serial No.", "column"), 17),
+                     write.column(REPORT_TEXT("report", "Certificate"), 17),
                      write.column(REPORT_TEXT("report", "Calibrated by"), 31),
                      write.column(REPORT_TEXT("report", "Calibrated"), 22),
                      write.column(REPORT_TEXT("report", "Due"), 22),
                      write.column(REPORT_TEXT("report", "Resolution"), 18)};
+    for (std::size_t i = 1; i < 3; ++i)
+        table.columns[i].fitting = true;
     const auto shortDate = [&](const std::optional<std::string> &date) {
         return date && !date->empty() ? write.language().shortDate(*date) : QString();
     };
@@ -141,11 +144,8 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
     blocks.emplace_back(std::move(values));
 }
 
-namespace {
-
-/// Adds statements: short ones in two columns, long ones below.
 void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows) {
-    constexpr std::size_t fewest = 2; // minimum for two columns
+    constexpr std::ptrdiff_t fewest = 2; // minimum for two columns
     SideBySide both;
     KeyValues left;
     KeyValues right;
@@ -156,14 +156,21 @@ void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows) {
     const auto isShort = [](const KeyValue &row) {
         return row.value.size() <= longestBeside && !row.value.contains(u'\n');
     };
-    const auto count = static_cast<std::size_t>(std::ranges::count_if(rows, isShort));
+    const auto linesOf = [](const KeyValue &row) {
+        return 1 + std::max(row.key.size() - 1, row.value.size() - 1) / lineBeside;
+    };
+    qsizetype lines = 0;
+    for (const KeyValue &row : rows)
+        lines += isShort(row) ? linesOf(row) : 0;
+    const bool bothColumns = std::ranges::count_if(rows, isShort) >= fewest;
+    qsizetype taken = 0;
     for (const KeyValue &row : rows) {
-        if (count < fewest || !isShort(row))
+        if (!bothColumns || !isShort(row)) {
             below.rows.push_back(row);
-        else if (2 * left.rows.size() < count)
-            left.rows.push_back(row);
-        else
-            right.rows.push_back(row);
+            continue;
+        }
+        (2 * taken < lines ? left : right).rows.push_back(row);
+        taken += linesOf(row);
     }
     if (!left.rows.empty()) {
         both.left.emplace_back(std::move(left));
@@ -173,8 +180,6 @@ void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows) {
     if (!below.rows.empty())
         blocks.emplace_back(std::move(below));
 }
-
-} // namespace
 
 QString scopeText(const Writer &write) {
     return write.text(REPORT_TEXT("report",

@@ -6,6 +6,7 @@
 #include "document/statedthings.h"
 #include "figures/testfigures.h"
 #include "kernel/evaluation/agreedpoints.h"
+#include "kernel/evaluation/asked.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/statedinputs.h"
 #include "language/decimals.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace palmer {
@@ -96,18 +98,26 @@ public:
     explicit ConditionRows(const TestPart &part)
         : LabelledRows(part.write, {{}, conditionLabels})
         , m_test(part.test)
-        , m_write(part.write) {}
+        , m_write(part.write)
+        , m_asked(askedStatements(part.test, part.evaluation)) {}
 
     using LabelledRows::add;
     void addStated(const Text &label, const QString &value) { add(label, value, false); }
+    /// The same of a statement that belongs to the certificate only if edition or practice ask for it.
+    void addIfAsked(std::string_view key, const Text &label, const QString &value) {
+        if (value.isEmpty())
+            return;
+        add(label, value);
+        last().further = std::ranges::find(m_asked, key, &AskedStatement::key) == m_asked.end();
+    }
     /// Adds a row named after a StatedThing.
     void add(const char *key, const QString &value) {
         m_keys.emplace_back(key);
         add(statedThing(key)->name, value);
     }
     void addStated(const char *key, const QString &value) {
-        if (!value.isEmpty())
-            add(key, value);
+        m_keys.emplace_back(key);
+        addIfAsked(key, statedThing(key)->name, value);
     }
     /// Adds a row with the statement of the test.
     void add(const char *key) { add(key, said(key)); }
@@ -139,6 +149,7 @@ public:
 private:
     const Test &m_test;
     const Writer &m_write;
+    std::vector<AskedStatement> m_asked;
     std::vector<std::string_view> m_keys; ///< keys of the rows
 };
 
@@ -204,8 +215,8 @@ void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions
 void addPurpose(ConditionRows &rows, const TestPart &part) {
     const Text role = roleText(part.test.role);
     const Text purpose = purposeText(part.test.purpose);
-    rows.addStated("purpose", joined({purpose.empty() ? QString() : part.write.text(purpose),
-                                      role.empty() ? QString() : part.write.text(role)}));
+    rows.addStated(statedThing("purpose")->name, joined({purpose.empty() ? QString() : part.write.text(purpose),
+                                                         role.empty() ? QString() : part.write.text(role)}));
     rows.addStated(REPORT_TEXT("report", "Duration of the test"),
                    part.test.duration
                        ? part.write.language().number(certain(*part.test.duration), Quantity::number, -1) +
@@ -219,13 +230,13 @@ void addPurpose(ConditionRows &rows, const TestPart &part) {
 }
 
 void addThermalPreparation(ConditionRows &rows, const Writer &write, const Conditions &conditions) {
-    rows.addStated(REPORT_TEXT("report", "Room temperature"),
-                   stated(write, conditions.temperatureControlled, REPORT_TEXT("report", "can be controlled"),
-                          REPORT_TEXT("report", "cannot be controlled")));
-    rows.addStated(REPORT_TEXT("report", "Before the test"),
-                   stated(write, conditions.stabilised,
-                          REPORT_TEXT("report", "machine and instruments thermally stable"),
-                          REPORT_TEXT("report", "machine or instruments not thermally stable")));
+    rows.addIfAsked("temperatureControlled", REPORT_TEXT("report", "Room temperature"),
+                    stated(write, conditions.temperatureControlled, REPORT_TEXT("report", "can be controlled"),
+                           REPORT_TEXT("report", "cannot be controlled")));
+    rows.addIfAsked("stabilised", REPORT_TEXT("report", "Before the test"),
+                    stated(write, conditions.stabilised,
+                           REPORT_TEXT("report", "machine and instruments thermally stable"),
+                           REPORT_TEXT("report", "machine or instruments not thermally stable")));
     for (const char *key : {"instrumentCompensation", "soak", "shielded", "thermalGuidelines"})
         rows.addStated(key);
 }
@@ -252,21 +263,23 @@ KeyValues rowsOf(const PositioningPart &part) {
     if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
         rows.add(REPORT_TEXT("report", "Target positions"), targetList(part)); // otherwise in the tables
     if (const auto &ends = part.measurement.axis.range)
-        rows.add("range", write.say(REPORT_TEXT("report", "%1 to %2"),
-                                    {Number{ends->from, part.along()}, Number{ends->to, part.along()}}));
+        rows.addStated("range",
+                       write.say(REPORT_TEXT("report", "%1 to %2"),
+                                 {Number{ends->from, part.along()}, Number{ends->to, part.along()}}));
     const auto &element = part.measurement.axis.scaleElement;
     if (element)
-        rows.add("scaleElement", *element > 0 ? write.quantity(element, Quantity::position)
-                                              : write.text(REPORT_TEXT_FOR("report", "continuous", "scale")));
+        rows.addStated("scaleElement", *element > 0
+                                           ? write.quantity(element, Quantity::position)
+                                           : write.text(REPORT_TEXT_FOR("report", "continuous", "scale")));
     rows.addStated("continuousDevice");
     rows.addStated("referencePosition");
     addThermalPreparation(rows, write, common);
     if (conditions.gradientHoursBefore)
-        rows.add("gradientPerHour",
-                 write.say(REPORT_TEXT("report", "over the %1 h before the test and during it"),
-                           {Number{*conditions.gradientHoursBefore, Quantity::number, -1}}));
+        rows.addStated("gradientPerHour",
+                       write.say(REPORT_TEXT("report", "over the %1 h before the test and during it"),
+                                 {Number{*conditions.gradientHoursBefore, Quantity::number, -1}}));
     rows.addRest();
-    rows.addStated(REPORT_TEXT("report", "Further statements"), furtherStatements(part));
+    rows.addIfAsked({}, REPORT_TEXT("report", "Further statements"), furtherStatements(part));
     return rows.take();
 }
 
@@ -327,7 +340,7 @@ KeyValues rowsOf(const CircularPart &part) {
                         REPORT_TEXT("report", "measured consecutively, without re-centring")));
     addThermalPreparation(rows, write, common);
     rows.addRest();
-    rows.addStated(REPORT_TEXT("report", "Further statements"), furtherStatements(part));
+    rows.addIfAsked({}, REPORT_TEXT("report", "Further statements"), furtherStatements(part));
     return rows.take();
 }
 
@@ -348,9 +361,9 @@ class EnvironmentTable {
 public:
     EnvironmentTable(const TestPart &part, const Conditions &conditions)
         : m_write(part.write) {
-        m_table.columns = {m_write.flexible(part.edition().environment, 42),
-                           m_write.column(REPORT_TEXT("report", "Start"), 13, Alignment::decimal),
-                           m_write.column(REPORT_TEXT("report", "End"), 13, Alignment::decimal)};
+        m_table.columns = {m_write.flexible(part.edition().environment, 44.5),
+                           m_write.column(REPORT_TEXT("report", "Start"), 12, Alignment::decimal),
+                           m_write.column(REPORT_TEXT("report", "End"), 11.5, Alignment::decimal)};
         for (const SensorMeasures what :
              {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
             addTemperatures(what, temperaturesOf(conditions, what));
@@ -478,6 +491,8 @@ KeyValues takeRest(KeyValues &rows, const Table &environment) {
 void addConditions(std::vector<Block> &blocks, const TestPart &part, std::optional<EnvironmentTable> table,
                    const QString &correction) {
     KeyValues rows = conditionRows(part);
+    if (part.annex)
+        std::erase_if(rows.rows, std::mem_fn(&KeyValue::further));
     const Table stated = table ? table->take(rows) : Table();
     if (!table)
         addNotStated(rows, takeMissing(rows, part.write), part.write);
@@ -601,6 +616,15 @@ void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
                       ? part.write.say(REPORT_TEXT("report", "F and D at 20 °C: correction %1."),
                                        {correctionText(conditions.correctionTo20)})
                       : QString());
+}
+
+void addFurtherConditions(std::vector<Block> &blocks, const TestPart &part) {
+    KeyValues rows = conditionRows(part);
+    std::erase_if(rows.rows, std::not_fn(std::mem_fn(&KeyValue::further)));
+    if (rows.rows.empty())
+        return;
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Further conditions")));
+    addStated(blocks, rows.rows);
 }
 
 /// Text of an agreement, followed by its number if the text does not contain it.

@@ -180,6 +180,9 @@ void addConditions(std::vector<Block> &blocks, const PositioningPart &part);
 /// The same for a circular test, without the parameters printed next to its figure.
 void addConditions(std::vector<Block> &blocks, const CircularPart &part);
 
+/// Adds the conditions that neither edition nor practice ask for, which a certificate with an annex leaves out.
+void addFurtherConditions(std::vector<Block> &blocks, const TestPart &part);
+
 /// Adds the points to be agreed between supplier/manufacturer and user, each with its state.
 void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part);
 
@@ -316,6 +319,9 @@ void addThermalPages(std::vector<Block> &blocks, const EvaluatedDocument &evalua
 
 /// Adds the drift tests of the file with their ranges.
 void addDriftTests(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated);
+
+/// Adds statements: short ones in two columns, long ones below.
+void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows);
 
 /// Adds the statements that ISO/IEC 17025, 7.8 requires, with the signatures unless they are left out;
 /// without an annex first what addProgram() says.

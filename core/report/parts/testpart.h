@@ -79,6 +79,7 @@ public:
         add(label, QString::fromStdString(value), needed);
     }
     [[nodiscard]] KeyValues take() { return std::move(m_values); }
+    [[nodiscard]] KeyValue &last() { return m_values.rows.back(); }
 
 private:
     const Writer &m_write;

@@ -92,6 +92,8 @@ private slots:
     void theDecisionIsReadAtOnce_data();
     void theDecisionIsReadAtOnce();
     void aTestOf11TargetsHasFourPages();
+    void certificatesHaveTwoPages_data();
+    void certificatesHaveTwoPages();
     void aLongHeadKeepsTheVerdict();
     void resultsStandBeforeAFigureWithoutRoom();
 };
@@ -185,6 +187,32 @@ void FirstPageTest::aTestOf11TargetsHasFourPages() {
         QCOMPARE(pages.size(), 4);
         QVERIFY(squeezed(pages[1]).contains(end));
         QVERIFY(squeezed(pages[2]).contains(language == Language::Id::french ? u"Annexe"_s : u"Annex"_s));
+    }
+}
+
+void FirstPageTest::certificatesHaveTwoPages_data() {
+    QTest::addColumn<Language::Id>("language");
+    for (const QString &name : {u"iso230-2-1988-example"_s, u"rotary-axis"_s, u"iso230-4-full-circles-xy"_s, u"iso230-4-partial-arc-zx"_s,
+                                u"iso230-4-feedback-yz"_s}) {
+        QTest::newRow(qPrintable(name + u", English"_s)) << Language::Id::english;
+        QTest::newRow(qPrintable(name + u", French"_s)) << Language::Id::french;
+    }
+}
+
+/// On A4; on the shorter paper three pages at most.
+void FirstPageTest::certificatesHaveTwoPages() {
+    QFETCH(const Language::Id, language);
+    Document document =
+        storedDocument(QString::fromUtf8(QTest::currentDataTag()).section(u',', 0, 0));
+    const QString end =
+        squeezed(language == Language::Id::french ? u"Fin du certificat"_s : u"End of the certificate"_s);
+    for (const Paper paper : {Paper::a4, Paper::letter}) {
+        document.report.paper = paper;
+        const QStringList pages = pageTexts(pdfOf(reportOf(document, language)));
+        const auto found = std::ranges::find_if(
+            pages, [&](const QString &page) { return squeezed(page).contains(end); });
+        const auto count = found - pages.begin() + 1;
+        QVERIFY2(count <= (paper == Paper::a4 ? 2 : 3), qPrintable(QString::number(count)));
     }
 }
 
