@@ -86,10 +86,11 @@ private slots:
 };
 
 void HistoryFileTest::everythingShownIsInIt() {
-    const QByteArray json = historyJson(history());
+    const History one = history();
+    const QByteArray json = historyJson(one);
     QCOMPARE(historyJson(historyFrom(json)), json);
     for (const Language::Id id : {Language::Id::english, Language::Id::french}) {
-        const Report report = composeHistory(history(), Language(id));
+        const Report report = composeHistory(one, Language(id));
         QCOMPARE(report.testFile, json);
         QVERIFY(composeHistoryFile(json, Language(id)) == report);
         const Verification verification = verified(pdfOf(report));
@@ -102,8 +103,8 @@ void HistoryFileTest::everythingShownIsInIt() {
 /// The pages of one history with the data of another, whatever number, verdict or date differs.
 void HistoryFileTest::otherValuesDoNotFollow() {
     const Language language(Language::Id::english);
-    const QByteArray json = historyJson(history());
     const Report shown = composeHistory(history(), language);
+    const QByteArray &json = shown.testFile;
     for (const auto &[from, to] : {std::pair{"0.0129", "0.0139"},
                                    {"0.016", "0.012"},
                                    {"2026-11-17", "2026-10-17"},
