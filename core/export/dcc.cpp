@@ -441,9 +441,14 @@ private:
                 });
             if (!conditions)
                 return;
-            for (const SensorMeasures what :
-                 {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
-                writeTemperatures(*conditions, what);
+            for (std::size_t what = 0; what < kindsOfSensors; ++what)
+                writeTemperatures(*conditions, static_cast<SensorMeasures>(what));
+            const auto &[machine, instrument] = conditions->expansion;
+            for (const auto &[name, alpha] : {std::pair{REPORT_TEXT("report", "α machine"), machine},
+                                              std::pair{REPORT_TEXT("report", "α instrument"), instrument}}) {
+                if (alpha)
+                    condition(both(name), [&] { quantity(name, *alpha, Quantity::expansion); });
+            }
             QStringList numbers;
             for (const std::string_view key : conditionKeys(test)) {
                 const FieldValue value = fieldValue(test, key);
@@ -460,10 +465,12 @@ private:
             const auto rowsIn = [&](const Writer &write) {
                 const TestPart part{write, m_evaluated, test, evaluation, index};
                 std::vector<KeyValue> rows = conditionRows(part).rows;
-                if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement)) {
-                    const KeyValues own = parameterRows({part, *circle, resultsOf(*circle, evaluation)});
-                    rows.insert(rows.begin(), own.rows.begin(), own.rows.end());
-                }
+                KeyValues own;
+                if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement))
+                    own = parameterRows({part, *circle, resultsOf(*circle, evaluation)});
+                if (const auto *axis = std::get_if<PositioningMeasurement>(&test.measurement))
+                    own = axisRows({part, *axis, resultsOf(*axis, evaluation)});
+                rows.insert(rows.begin(), own.rows.begin(), own.rows.end());
                 return rows;
             };
             const std::vector<KeyValue> there = rowsIn(french);
@@ -527,6 +534,8 @@ private:
             !partOf(index, Writer(m_english)).leavesOut(ReportPart::uncertainty))
             within("dcc:result", [&] {
                 said("dcc:name", REPORT_TEXT("report", "Uncertainty budget"));
+                if (!kindWords(test).model.empty())
+                    said("dcc:description", kindWords(test).model);
                 within("dcc:data", [&] { writeBudget(test, evaluation); });
             });
     }
@@ -535,17 +544,21 @@ private:
         return {write, m_evaluated, *document().tests[index], *m_evaluated.tests[index], index};
     }
 
-    /// Expanded, k = 2; what is not known is said.
+    /// Expanded, k = 2, with what they are computed from; what is not known is said.
     void writeBudget(const Test &test, const TestEvaluation &evaluation) {
-        for (const Contribution &contribution : evaluation.uncertainty.contributions) {
-            if (contribution.expanded)
-                quantity(contribution.name, *contribution.expanded, deviationQuantity(test));
-            else
-                within("dcc:quantity", [&] {
-                    said("dcc:name", contribution.name);
+        if (motionOf(test) == Motion::linear && evaluation.uncertainty.length)
+            quantity(REPORT_TEXT("report", "Length L"), *evaluation.uncertainty.length, Quantity::position);
+        for (const Contribution &contribution : evaluation.uncertainty.contributions)
+            within("dcc:quantity", [&] {
+                said("dcc:name", contribution.name);
+                if (!contribution.expanded) {
                     said("dcc:noQuantity", REPORT_TEXT("report", "not stated"));
-                });
-        }
+                    return;
+                }
+                said("dcc:description",
+                     both([&](const Language &language) { return language.sentence(contribution.inputs); }));
+                real(*contribution.expanded, deviationQuantity(test));
+            });
     }
 
     void writeParameter(const Parameter &parameter, const Test &test, const TestEvaluation &evaluation) {

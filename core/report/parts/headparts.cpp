@@ -223,14 +223,9 @@ RunningHead runningHead(const TestPart &part) {
     return {QString::fromStdString(part.head().laboratory.name), titleAndEdition(part)};
 }
 
-TestHead positioningHead(const PositioningPart &part) {
-    TestHead head = commonHead(part);
-    if (part.results.stepCycleNotAgreed)
-        head.notice =
-            part.write.text(REPORT_TEXT("report", "step cycle – not an ISO 230-2 acceptance result"));
-    LabelledRows rows(part.write, {{}, rightLabels});
-    rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
-    rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
+namespace {
+
+void addAxis(LabelledRows &rows, const PositioningPart &part) {
     rows.add(REPORT_TEXT("report", "Axis"), axisText(part));
     rows.add(REPORT_TEXT("report", "Measurement travel"), travelText(part));
     if (part.measurement.zone)
@@ -239,6 +234,25 @@ TestHead positioningHead(const PositioningPart &part) {
     rows.add(REPORT_TEXT("report", "Cycle, targets"),
              joined({part.write.text(cycleText(part.measurement.cycle, part.edition())), countsText(part)},
                     part.write.semicolon()));
+}
+
+} // namespace
+
+KeyValues axisRows(const PositioningPart &part) {
+    LabelledRows rows(part.write);
+    addAxis(rows, part);
+    return rows.take();
+}
+
+TestHead positioningHead(const PositioningPart &part) {
+    TestHead head = commonHead(part);
+    if (part.results.stepCycleNotAgreed)
+        head.notice =
+            part.write.text(REPORT_TEXT("report", "step cycle – not an ISO 230-2 acceptance result"));
+    LabelledRows rows(part.write, {{}, rightLabels});
+    rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
+    rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
+    addAxis(rows, part);
     addInstruments(rows, part);
     head.right = rows.take();
     balanceColumns(head);

@@ -305,6 +305,9 @@ void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPar
 /// test by test. Tests as found are only informative if there are others.
 void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
+/// Axis, measurement travel, working zone, cycle and targets, as in the head of a test.
+[[nodiscard]] KeyValues axisRows(const PositioningPart &part);
+
 /// "control …, year …, <place of the machine>", as far as stated.
 [[nodiscard]] QString machineDetails(const Writer &write, const Machine &machine);
 

@@ -24,7 +24,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
-#include <map>
+#include <algorithm>
+#include <array>
+#include <set>
 
 using namespace palmer;
 
@@ -110,6 +112,30 @@ bool equal(double a, double b) {
     return std::abs(a - b) <= 4e-15 * std::max(std::abs(a), std::abs(b));
 }
 
+/// Returns the texts of a certificate, a line for each element.
+QString saidIn(const QByteArray &certificate) {
+    QString said;
+    for (QXmlStreamReader xml(certificate); !xml.atEnd(); xml.readNext())
+        said += xml.isCharacters() ? xml.text().toString() : "\n";
+    return said;
+}
+
+void collectNumbers(const QJsonValue &value, const QString &key,
+                    std::vector<std::pair<QString, double>> &numbers) {
+    static const QSet<QString> otherwise{"version",      "extensions", "runs",       "arcs",    "series",
+                                         "excluded",     "times",      "deviations", "imports", "channels",
+                                         "temperatures", "trials",     "range",      "seed"};
+    const QJsonObject object = value.toObject();
+    for (auto item = object.begin(); item != object.end(); ++item) {
+        if (!otherwise.contains(item.key()))
+            collectNumbers(item.value(), item.key(), numbers);
+    }
+    for (const QJsonValue item : value.toArray())
+        collectNumbers(item, key, numbers);
+    if (value.isDouble())
+        numbers.push_back({key, value.toDouble()});
+}
+
 /// Collects the texts of the user and the days of a test file: all but the words of the format, which the
 /// certificate says in its own, what concerns the paper, and ids.
 void collectTexts(const QJsonValue &value, const QString &key, QStringList &texts) {
@@ -146,6 +172,8 @@ private slots:
     void everyValueUncertaintyAndLimitIsInIt();
     void everyStatedTextIsInIt_data() { addFiles(); }
     void everyStatedTextIsInIt();
+    void everyStatedNumberIsInIt_data() { addFiles(); }
+    void everyStatedNumberIsInIt();
     void theSchemaTakesIt_data() { addFiles(); }
     void theSchemaTakesIt();
     void unitsAreThoseOfDSi();
@@ -215,9 +243,7 @@ void DccTest::everyValueUncertaintyAndLimitIsInIt() {
 void DccTest::everyStatedTextIsInIt() {
     QFETCH(QString, path);
     const EvaluatedDocument evaluated = evaluatedFile(path);
-    QString said;
-    for (QXmlStreamReader xml(dcc(evaluated)); !xml.atEnd(); xml.readNext())
-        said += xml.isCharacters() ? xml.text().toString() : " ";
+    const QString said = saidIn(dcc(evaluated));
     QStringList texts;
     collectTexts(QJsonDocument::fromJson(writeDocument(*evaluated.document)).object(), {}, texts);
     QVERIFY(texts.size() > 3);
@@ -228,6 +254,36 @@ void DccTest::everyStatedTextIsInIt() {
             const bool isDay = day.match(line).hasMatch() && said.contains(english.date(line.toStdString()));
             QVERIFY2(isDay || said.contains(line.trimmed()), qPrintable(line));
         }
+    }
+}
+
+// In the unit of the file or the one shown, of a radius the diameter; readings, temperatures over time and
+// how to simulate are not in it.
+void DccTest::everyStatedNumberIsInIt() {
+    QFETCH(QString, path);
+    const EvaluatedDocument evaluated = evaluatedFile(path);
+    std::set<double> numbers;
+    static const QRegularExpression number("-?\\d[\\d ]*(?:[.,]\\d+)?");
+    for (const QString &piece : saidIn(dcc(evaluated))
+                                    .replace(u'−', '-')
+                                    .replace(u'\u00A0', ' ')
+                                    .replace(u'\u202F', ' ')
+                                    .split('\n')) {
+        for (auto match = number.globalMatch(piece); match.hasNext();) {
+            const QString text = match.next().captured().replace(',', '.');
+            numbers.insert(QString(text).remove(' ').toDouble());
+            for (const QString &part : text.split(' '))
+                numbers.insert(part.toDouble());
+        }
+    }
+    std::vector<std::pair<QString, double>> stated;
+    collectNumbers(QJsonDocument::fromJson(writeDocument(*evaluated.document)).object(), {}, stated);
+    for (const auto &[key, value] : stated) {
+        const bool isIn = std::ranges::any_of(std::array{1.0, 2.0, 1000.0, 3600.0}, [&](double scale) {
+            const auto near = numbers.lower_bound(value * scale - 1e-6);
+            return near != numbers.end() && *near <= value * scale + 1e-6;
+        });
+        QVERIFY2(isIn, qPrintable(QString("%1 %2").arg(key).arg(value)));
     }
 }
 
