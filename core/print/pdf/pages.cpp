@@ -718,8 +718,9 @@ private:
             flow();
         constexpr int mostMoves = 40;
         for (int i = 0; i < mostMoves; ++i) {
-            if (!followPages(m_blocks, m_flow) && !moveAllResults(m_blocks, m_flow) &&
-                !fillResults(m_blocks, m_flow, m_bottom) && !shorten())
+            // Pages are filled once nothing is set closer any more.
+            if (!followPages(m_blocks, m_flow) && !moveAllResults(m_blocks, m_flow) && !shorten() &&
+                !fillResults(m_blocks, m_flow, m_bottom))
                 return;
             flow();
         }
