@@ -116,16 +116,21 @@ const Test *ComparisonPage::test() const {
 }
 
 void ComparisonPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
-    const bool another = !this->test() || test >= evaluated.tests.size() ||
-                         this->test()->id != evaluated.document->tests[test]->id;
+    const Test *former = this->test();
+    const bool another = !former || test >= evaluated.tests.size() ||
+                         former->id != evaluated.document->tests[test]->id ||
+                         (former->id.empty() && m_test != test);
     const bool same = !another && m_test == test && m_evaluated.document == evaluated.document;
     m_evaluated = evaluated;
     m_test = test;
-    std::erase_if(m_offers, [](const Offer &offer) { return offer.file.isEmpty(); });
-    if (another)
-        m_ofFile.reset();
     if (same && m_result)
         return;
+    if (another) {
+        m_ofFile.reset();
+        m_result.reset(); // that of the test before
+    }
+    const std::size_t ownBefore =
+        std::erase_if(m_offers, [](const Offer &offer) { return offer.file.isEmpty(); });
     std::vector<Offer> own;
     if (const Test *shown = this->test()) {
         for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
@@ -134,6 +139,8 @@ void ComparisonPage::show(const EvaluatedDocument &evaluated, std::size_t test) 
         }
     }
     m_offers.insert(m_offers.begin(), own.begin(), own.end());
+    if (m_ofFile)
+        *m_ofFile += own.size() - ownBefore;
     fillBox();
     if (isVisible())
         want();
@@ -284,6 +291,8 @@ void ComparisonPage::want() {
     options.setUpUntouched = m_untouched->isChecked();
     options.tolerance =
         enteredNumber(m_tolerance->text(), deviationQuantity(*shown), windowLanguage().units()).value;
+    if (!m_result)
+        present();
     m_worker.start(
         [result = std::move(result), options](const Background::Job &) mutable {
             result.comparison = compare({&result.before.evaluated, result.before.test},
@@ -305,8 +314,10 @@ void ComparisonPage::present() {
     m_reason->setVisible(!any);
     if (!any) {
         m_reason->setText(
-            tr("Choose the test to compare with: of this file, such as the one as found or that "
-               "before a repair, or of another file. The report then has a page of the comparison."));
+            chosen()
+                ? tr("The two tests are being compared…")
+                : tr("Choose the test to compare with: of this file, such as the one as found or that "
+                     "before a repair, or of another file. The report then has a page of the comparison."));
         if (m_side)
             m_side->clear();
         return;

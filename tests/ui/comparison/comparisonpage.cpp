@@ -88,6 +88,32 @@ private slots:
         QVERIFY(c.stated().has_value());
     }
 
+    /// Shown once more, as after a change of the language, it offers what it offered.
+    void shownAgainItOffersTheSame() {
+        const Compared c;
+        QTRY_COMPARE_WITH_TIMEOUT(c.cell(0, 0), QString("A"), compares);
+        c.page->show(c.shown.window->evaluator().current(), 1);
+        auto *other = c.shown.find<QComboBox>("comparedWith");
+        for (const int row : {0, 1}) {
+            other->setCurrentIndex(row);
+            emit other->activated(row);
+            QCOMPARE(c.stated().has_value(), row == 1);
+        }
+        QCOMPARE(c.stated()->test, std::string("found"));
+    }
+
+    /// What is seen is never the comparison of another test.
+    void anotherTestDoesNotShowTheComparisonOfTheLast() {
+        const Compared c;
+        QTRY_COMPARE_WITH_TIMEOUT(c.cell(0, 0), QString("A"), compares);
+        c.page->show(c.shown.window->evaluator().current(), 0); // states none
+        QVERIFY(!c.parameters->isVisible());
+        c.page->show(c.shown.window->evaluator().current(), 1);
+        QVERIFY(!c.parameters->isVisible());
+        QVERIFY(c.shown.find<QLabel>("comparisonReason")->text().contains("being compared"));
+        QTRY_VERIFY_WITH_TIMEOUT(c.parameters->isVisible(), compares);
+    }
+
     void aTestOfAnotherFileIsNotStated() {
         const Compared c;
         QVERIFY(c.page->addFile(examplePath("x-axis-as-found-as-left")));
