@@ -7530,10 +7530,6 @@
         <translation>register %1 ne prend pas de fichier</translation>
     </message>
     <message>
-        <source>all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, report, type, join MACHINE MACHINE, interval MACHINE MONTHS</source>
-        <translation>tous les essais de toutes les machines dans des dossiers, au fil des ans&#xa0;: scan FOLDER…, list, trend, report, type, join MACHINE MACHINE, interval MACHINE MONTHS</translation>
-    </message>
-    <message>
         <source>no machine of the register is called “%1”</source>
         <translation>aucune machine du registre ne s’appelle «&#xa0;%1&#xa0;»</translation>
     </message>
@@ -9840,10 +9836,6 @@
         <translation>le registre</translation>
     </message>
     <message>
-        <source>type: the type of the machines, or maker and type</source>
-        <translation>type&#xa0;: le type des machines, ou constructeur et type</translation>
-    </message>
-    <message>
         <source>type: share of the type that lies below the tolerance limit</source>
         <translation>type&#xa0;: part du type située sous la limite de tolérance</translation>
     </message>
@@ -10143,10 +10135,6 @@
     <message>
         <source>Differences of the parameters</source>
         <translation>Différences des grandeurs</translation>
-    </message>
-    <message>
-        <source>U of the difference: one simulation of both tests, %1 trials, 95.45 %; whole cycles drawn anew.</source>
-        <translation>U de la différence&#xa0;: une simulation des deux essais, %1 tirages, 95,45&#xa0;%&#x202f;; cycles entiers tirés à nouveau.</translation>
     </message>
     <message>
         <source>No error of measurement is known to be shared.</source>
@@ -10500,10 +10488,6 @@
         <translation>Ce que la dérive explique</translation>
     </message>
     <message>
-        <source>list: what has changed in each test since the last one of its axis or plane; reads their files</source>
-        <translation>list&#xa0;: ce qui a changé à chaque essai depuis le dernier de son axe ou plan&#x202f;; lit leurs fichiers</translation>
-    </message>
-    <message>
         <source>trend: OUT.csv, json, svg, png or pdf; type: OUT.json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf</source>
         <translation>trend&#xa0;: OUT.csv, json, svg, png ou pdf&#x202f;; type&#xa0;: OUT.json, svg, png ou pdf&#x202f;; report&#xa0;: OUT.pdf, en deux langues OUT.fr.pdf et OUT.en.pdf</translation>
     </message>
@@ -10526,10 +10510,6 @@
     <message>
         <source>Type test</source>
         <translation>Essai de type</translation>
-    </message>
-    <message>
-        <source>The newest comparable test of each machine of a type, with upper tolerance limits: what most machines of the type stay below. The machines are those in the register, no random sample.</source>
-        <translation>Le dernier essai comparable de chaque machine d’un type, avec des limites supérieures de tolérance&#xa0;: ce que la plupart des machines du type ne dépassent pas. Les machines sont celles du registre, pas un échantillon aléatoire.</translation>
     </message>
     <message>
         <source>Drift test</source>
@@ -10639,6 +10619,50 @@
     <message>
         <source>largest range within the duration: %1</source>
         <translation>plus grande étendue pendant la durée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The newest comparable test of each machine of a type, with upper tolerance limits: what most machines of the type stay below. The machines are those in the register, no random sample. The examples have one of eight machines.</source>
+        <translation>Le dernier essai comparable de chaque machine d’un type, avec des limites supérieures de tolérance&#xa0;: ce que la plupart des machines du type ne dépassent pas. Les machines sont celles du registre, pas un échantillon aléatoire. Les exemples en contiennent un de huit machines.</translation>
+    </message>
+    <message>
+        <source>E_n (ISO/IEC 17043): difference over its U; the results agree where its magnitude is at most 1.</source>
+        <translation>E_n (ISO/IEC 17043)&#xa0;: différence divisée par son U&#x202f;; les résultats concordent lorsqu’il vaut au plus 1 en valeur absolue.</translation>
+    </message>
+    <message>
+        <source>Unchanged within t where difference and U together are at most t; changed by more than t where the difference less U exceeds it; always between these two sessions.</source>
+        <translation>Inchangé à t près lorsque différence et U ne dépassent pas t ensemble&#x202f;; changé de plus de t lorsque la différence diminuée de U dépasse t&#x202f;; toujours entre ces deux séances.</translation>
+    </message>
+    <message>
+        <source>Parts of U (%1), each alone: repeatability; errors of measurement; shift of the mean, which decides nothing: %2.</source>
+        <translation>Parts de U (%1), chacune seule&#xa0;: répétabilité&#x202f;; erreurs de mesure&#x202f;; écart de la moyenne, qui ne décide de rien&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Repeatability alone (%1): %2.</source>
+        <translation>Répétabilité seule (%1)&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>U of the difference: one simulation of both tests (JCGM 101), %1 trials, 95.45 %; whole cycles drawn anew.</source>
+        <translation>U de la différence&#xa0;: une simulation des deux essais (JCGM&#xa0;101), %1 tirages, 95,45&#xa0;%&#x202f;; cycles entiers tirés à nouveau.</translation>
+    </message>
+    <message>
+        <source>list, trend: what has changed in each test since the last one of its axis or plane; reads their files</source>
+        <translation>list, trend&#xa0;: ce qui a changé à chaque essai depuis le dernier de son axe ou plan&#x202f;; lit leurs fichiers</translation>
+    </message>
+    <message>
+        <source>type: the type of the machines, or maker and type; may be left out where files are all of one</source>
+        <translation>type&#xa0;: le type des machines, ou constructeur et type&#x202f;; facultatif lorsque les fichiers sont tous d’un même type</translation>
+    </message>
+    <message>
+        <source>all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, report, type [FILE…], join MACHINE MACHINE, interval MACHINE MONTHS</source>
+        <translation>tous les essais de toutes les machines dans des dossiers, au fil des ans&#xa0;: scan FOLDER…, list, trend, report, type [FILE…], join MACHINE MACHINE, interval MACHINE MONTHS</translation>
+    </message>
+    <message>
+        <source>files and --%1 do not go together</source>
+        <translation>des fichiers et --%1 s’excluent</translation>
+    </message>
+    <message>
+        <source>the machines of the files are not all of one type; choose it with --type</source>
+        <translation>les machines des fichiers ne sont pas toutes d’un même type&#x202f;; choisissez-le par --type</translation>
     </message>
     <message>
         <source>Further conditions</source>

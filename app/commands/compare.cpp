@@ -126,8 +126,8 @@ int runCompare(const Invocation &invocation) {
                             unitScale(deviationQuantity(after.test()), DisplayUnits());
     const TestComparison comparison = compare(before, after, options);
     if (invocation.has("json"))
-        printOut(comparisonJson(comparison, before, fileA, after, fileB, options.tolerance,
-                                namesLanguage(invocation), JsonForm::pretty));
+        printOut(comparisonJson(comparison, before, fileA, after, fileB, options, namesLanguage(invocation),
+                                JsonForm::pretty));
     else
         printOut(
             plainText(composeComparison(comparison, before, after, invocation.language, options.tolerance),

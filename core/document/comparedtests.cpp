@@ -151,6 +151,11 @@ std::shared_ptr<const StatedComparison> statedComparison(const EvaluatedDocument
     return shared;
 }
 
+std::string comparedId(const ComparedParameter &parameter) {
+    return parameter.index.empty() ? std::string(parameter.term.id)
+                                   : parameter.term.id + ("_" + parameter.index);
+}
+
 std::optional<std::size_t> counterpart(const PlacedTest &test, const EvaluatedDocument &others) {
     const auto directions = [](const Test &t) {
         std::pair<bool, bool> both;

@@ -58,6 +58,9 @@ struct ComparedPath {
 };
 [[nodiscard]] std::vector<ComparedPath> comparedPaths(const PlacedTest &before, const PlacedTest &after);
 
+/// Returns the id of a compared parameter, that of its result: "A", "G_XY".
+[[nodiscard]] std::string comparedId(const ComparedParameter &parameter);
+
 /// Returns the first judged test of `others` that is comparable with this one: same kind, axis or plane,
 /// directions and radius. Null: none.
 [[nodiscard]] std::optional<std::size_t> counterpart(const PlacedTest &test, const EvaluatedDocument &others);

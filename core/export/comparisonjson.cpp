@@ -3,6 +3,7 @@
 #include "export/comparisonjson.h"
 
 #include "document/json.h"
+#include "document/jsonformats.h"
 #include "document/resultwords.h"
 #include "kernel/measurement/testfacts.h"
 #include "report/parts/comparedtests.h"
@@ -16,8 +17,6 @@ namespace palmer {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int comparisonVersion = 1;
 
 Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
@@ -48,12 +47,11 @@ Json listOf(const std::vector<std::optional<double>> &values) {
 
 } // namespace
 
-QByteArray comparisonJson(const TestComparison &comparison, const PlacedTest &before,
-                          const QString &fileBefore, const PlacedTest &after, const QString &fileAfter,
-                          std::optional<double> tolerance, const Language &language, JsonForm form) {
+Json comparisonKeys(const TestComparison &comparison, const PlacedTest &before, const PlacedTest &after,
+                    const ComparisonOptions &options, const Language &language) {
     Json parameters = Json::array();
     for (const ComparedParameter &p : comparison.parameters)
-        parameters.push_back({{"id", p.index.empty() ? std::string(p.term.id) : p.term.id + ("_" + p.index)},
+        parameters.push_back({{"id", comparedId(p)},
                               {"name", language.text(p.term.name).toStdString()},
                               {"before", p.before},
                               {"after", p.after},
@@ -100,32 +98,40 @@ QByteArray comparisonJson(const TestComparison &comparison, const PlacedTest &be
     Json shared = Json::array();
     for (const SharedError error : comparison.shared)
         shared.push_back(fileWord(error));
+    return {{"laboratories", options.role == ComparisonRole::laboratories},
+            {"setUpUntouched", options.setUpUntouched},
+            {"edition", comparison.edition ? Json(comparison.edition->word) : Json(nullptr)},
+            {"unit", resultUnit(comparison.quantity)},
+            {"refusal", wordOrNull(comparison.refusal)},
+            {"noWord", wordOrNull(comparison.noWord)},
+            {"word", wordOrNull(wordOfAll(comparison))},
+            {"tolerance", number(options.tolerance)},
+            {"commonTargets", comparison.commonTargets},
+            {"cycles", comparison.cycles},
+            {"simulated", comparison.simulated},
+            {"trials", comparison.trials},
+            {"pooled", comparison.pooled},
+            {"shared", std::move(shared)},
+            {"parameters", std::move(parameters)},
+            {"targets", comparison.targets},
+            {"interpolated", comparison.interpolated},
+            {"curves", std::move(curves)},
+            {"sources", std::move(sources)},
+            {"paths", std::move(paths)},
+            {"conditions", std::move(conditions)}};
+}
+
+QByteArray comparisonJson(const TestComparison &comparison, const PlacedTest &before,
+                          const QString &fileBefore, const PlacedTest &after, const QString &fileAfter,
+                          const ComparisonOptions &options, const Language &language, JsonForm form) {
     const Axis *axis = axisOf(after.test());
-    const Json file{{"format", "palmer comparison"},
-                    {"version", comparisonVersion},
-                    {"program", "Palmer " PALMER_VERSION},
-                    {"before", sideOf(before, fileBefore)},
-                    {"after", sideOf(after, fileAfter)},
-                    {"axis", axis ? Json(axesOf(after.test())) : Json(nullptr)},
-                    {"plane", axis ? Json(nullptr) : Json(axesOf(after.test()))},
-                    {"edition", comparison.edition ? Json(comparison.edition->word) : Json(nullptr)},
-                    {"unit", resultUnit(comparison.quantity)},
-                    {"refusal", wordOrNull(comparison.refusal)},
-                    {"noWord", wordOrNull(comparison.noWord)},
-                    {"tolerance", number(tolerance)},
-                    {"commonTargets", comparison.commonTargets},
-                    {"cycles", comparison.cycles},
-                    {"simulated", comparison.simulated},
-                    {"trials", comparison.trials},
-                    {"pooled", comparison.pooled},
-                    {"shared", std::move(shared)},
-                    {"parameters", std::move(parameters)},
-                    {"targets", comparison.targets},
-                    {"interpolated", comparison.interpolated},
-                    {"curves", std::move(curves)},
-                    {"sources", std::move(sources)},
-                    {"paths", std::move(paths)},
-                    {"conditions", std::move(conditions)}};
+    Json file = jsonHead("comparison");
+    file.update({{"program", "Palmer " PALMER_VERSION},
+                 {"before", sideOf(before, fileBefore)},
+                 {"after", sideOf(after, fileAfter)},
+                 {"axis", axis ? Json(axesOf(after.test())) : Json(nullptr)},
+                 {"plane", axis ? Json(nullptr) : Json(axesOf(after.test()))}});
+    file.update(comparisonKeys(comparison, before, after, options, language));
     return QByteArray::fromStdString(form == JsonForm::pretty ? printJson(file) : compactJson(file) + '\n');
 }
 

@@ -5,13 +5,21 @@
 #include "document/comparedtests.h"
 #include "export/resultsjson.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace palmer {
 
-/// A comparison as JSON, for scripts: format "palmer comparison" (palmer-comparison-1.schema.json). Values
-/// unrounded in mm or degrees, null if unknown; conditions in `language`.
+/// The keys that a comparison has wherever it is written: values unrounded in mm or degrees, null if unknown;
+/// names and conditions in `language`.
+[[nodiscard]] nlohmann::ordered_json comparisonKeys(const TestComparison &comparison,
+                                                    const PlacedTest &before, const PlacedTest &after,
+                                                    const ComparisonOptions &options,
+                                                    const Language &language);
+
+/// A comparison as a file of its own: format "palmer comparison" (palmer-comparison-1.schema.json).
 [[nodiscard]] QByteArray comparisonJson(const TestComparison &comparison, const PlacedTest &before,
                                         const QString &fileBefore, const PlacedTest &after,
-                                        const QString &fileAfter, std::optional<double> tolerance,
+                                        const QString &fileAfter, const ComparisonOptions &options,
                                         const Language &language, JsonForm form);
 
 } // namespace palmer

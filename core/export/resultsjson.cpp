@@ -6,6 +6,7 @@
 #include "document/jsonformats.h"
 #include "document/resultwords.h"
 #include "document/thermal.h"
+#include "export/comparisonjson.h"
 #include "export/diagnosisjson.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
@@ -183,12 +184,40 @@ Json ownResults(const CircularMeasurement & /*measurement*/, const CircularResul
             {"correction", number(results.correction)}};
 }
 
+/// What the drift that a test takes explains of its U, and what another one would make of it; null: none.
+Json driftOf(const EvaluatedDocument &evaluated, std::size_t index) {
+    const DriftCases explained = driftCases(evaluated, index);
+    const auto steady = std::ranges::find(explained.cases, DriftCase::none, &DriftCase::kind);
+    if (steady == explained.cases.end())
+        return nullptr;
+    static constexpr std::array kinds{"asTested", "halved", "none", "wholeRecord",
+                                      "held"}; // as DriftCase::Kind
+    Json cases = Json::array();
+    for (const DriftCase &one : explained.cases) {
+        Json values = Json::array();
+        for (std::size_t i = 0; i < one.expanded.size(); ++i) {
+            const auto &without = steady->expanded[i];
+            const bool isKnown = one.expanded[i] && without && *one.expanded[i] > 0;
+            const double ratio = isKnown ? *without / *one.expanded[i] : 1;
+            values.push_back({{"id", explained.parameters[i]},
+                              {"expandedUncertainty", number(one.expanded[i])},
+                              {"share", isKnown ? Json(1 - ratio * ratio) : Json(nullptr)}});
+        }
+        cases.push_back({{"kind", kinds.at(one.kind)},
+                         {"heldTo", one.kind == DriftCase::held ? Json(one.hold) : Json(nullptr)},
+                         {"duration", number(one.lasts)},
+                         {"variation", one.variation},
+                         {"parameters", std::move(values)}});
+    }
+    return {{"test", *driftTestOf(*evaluated.document->tests[index])}, {"cases", std::move(cases)}};
+}
+
 /// mm or degrees per °C, and s; without values where the data carry no response.
-Json responseOf(const ThermalResponse &response, const std::string &temperature, bool best) {
+Json responseOf(const ThermalResponse &response, const DriftTemperature &temperature, bool best) {
     const bool found = response.state == ResponseState::found;
     const auto value = [&](std::optional<double> one) { return found ? number(one) : Json(nullptr); };
     const auto range = [&](const Range &one) { return Json{value(one.low), value(one.high)}; };
-    return {{"temperature", temperature},
+    return {{"temperature", temperature.measures},
             {"state", fileWord(response.state)},
             {"best", best},
             {"perDegree", value(response.k)},
@@ -198,6 +227,7 @@ Json responseOf(const ThermalResponse &response, const std::string &temperature,
             {"slope", value(response.slope)},
             {"slopeInterval", range(response.slopeRange)},
             {"residual", value(response.residual)},
+            {"warmUp", found ? number(response.warmUp(withGaps(temperature.values))) : Json(nullptr)},
             {"count", response.count}};
 }
 
@@ -211,8 +241,7 @@ Json ownResults(const DriftMeasurement &measurement, const DriftResults &results
     for (const ThermalChannel &one : thermalChannels(measurement)) {
         Json responses = Json::array();
         for (std::size_t i = 0; i < one.responses.size(); ++i)
-            responses.push_back(
-                responseOf(one.responses[i], measurement.temperatures[i].measures, one.best == i));
+            responses.push_back(responseOf(one.responses[i], measurement.temperatures[i], one.best == i));
         channels.push_back({{"name", one.channel.name},
                             {"unit", one.channel.quantity == ChannelQuantity::deviation ? "mm" : "deg"},
                             {"range", one.whole ? number(one.whole->value) : Json(nullptr)},
@@ -241,8 +270,21 @@ void addTargets(std::vector<JsonMember> &members, const PositioningMeasurement &
 void addTargets(std::vector<JsonMember> & /*members*/, const auto & /*measurement*/, const auto & /*results*/,
                 const TestEvaluation & /*evaluation*/) {}
 
-void printTest(JsonPrinter &printer, const Place &place, const Test &source, const TestEvaluation &evaluation,
-               const Language &language) {
+/// The comparison that a test states, with the test before; null: none.
+Json comparisonOf(const EvaluatedDocument &evaluated, std::size_t index, const Language &language) {
+    const auto stated = statedComparison(evaluated, index);
+    if (!stated)
+        return nullptr;
+    Json result{{"test", evaluated.document->tests[stated->other]->id}};
+    result.update(comparisonKeys(stated->comparison, {&evaluated, stated->other}, {&evaluated, index},
+                                 stated->options, language));
+    return result;
+}
+
+void printTest(JsonPrinter &printer, const Place &place, const EvaluatedDocument &evaluated,
+               std::size_t index, const Language &language) {
+    const Test &source = *evaluated.document->tests[index];
+    const TestEvaluation &evaluation = *evaluated.tests[index];
     Json head = headOf(source, evaluation);
     head["parameters"] = parameters(evaluation, language);
     std::vector<JsonMember> members = membersOf(head);
@@ -252,6 +294,10 @@ void printTest(JsonPrinter &printer, const Place &place, const Test &source, con
     });
     if (Json diagnosis = diagnosisJson(source, evaluation, language); !diagnosis.is_null())
         own["diagnosis"] = std::move(diagnosis);
+    if (Json drift = driftOf(evaluated, index); !drift.is_null())
+        own["drift"] = std::move(drift);
+    if (Json comparison = comparisonOf(evaluated, index, language); !comparison.is_null())
+        own["comparison"] = std::move(comparison);
     own["findings"] = findings(evaluation.findings, language);
     std::ranges::move(membersOf(own), std::back_inserter(members));
     printer.object(members, place);
@@ -326,8 +372,7 @@ QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileNa
     std::vector<JsonMember> members = membersOf(head);
     members.push_back({"tests", tests.empty(), [&](JsonPrinter &printer, const Place &place) {
                            printer.list(tests.size(), [&](std::size_t i) {
-                               printTest(printer, Place(place, i), *evaluated.document->tests[i], *tests[i],
-                                         language);
+                               printTest(printer, Place(place, i), evaluated, i, language);
                            });
                        }});
     std::ranges::move(membersOf(rest), std::back_inserter(members));

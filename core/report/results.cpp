@@ -5,6 +5,7 @@
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
+#include "report/parts/comparedtests.h"
 #include "report/parts/parts.h"
 #include "report/parts/thermalparts.h"
 #include "report/tables/findinglines.h"
@@ -303,6 +304,13 @@ Report composeResults(const EvaluatedDocument &evaluated, const Language &langua
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
         composer.addResults(*evaluated.document->tests[i], *evaluated.tests[i]);
     Report report = composer.take();
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (const auto stated = statedComparison(evaluated, i))
+            std::ranges::move(composeComparison(stated->comparison, {&evaluated, stated->other},
+                                                {&evaluated, i}, language, stated->options.tolerance)
+                                  .blocks,
+                              std::back_inserter(report.blocks));
+    }
     addSheetResults(report.blocks, evaluated, Writer(language));
     return report;
 }

@@ -40,6 +40,7 @@ class CompareCommandTest : public QObject {
 private slots:
     void saysWhatHasChanged();
     void aFileStatesWhatItCompares();
+    void theWordsAreExplained();
     void circlesAreComparedBySourcesAndPaths();
     void printsItInBothLanguages();
     void itsJsonIsThatOfItsSchema();
@@ -66,6 +67,46 @@ void CompareCommandTest::saysWhatHasChanged() {
 void CompareCommandTest::aFileStatesWhatItCompares() {
     const QJsonObject stated = QJsonDocument::fromJson(runCli({"compare", both, "--json"}).out).object();
     QCOMPARE(stated, jsonOf({"--test", "1,2"}));
+    // The results of the file say it, too, key by key, and so does the terminal.
+    const QJsonArray tests =
+        QJsonDocument::fromJson(runCli({"evaluate", both, "--json"}).out).object()["tests"].toArray();
+    QVERIFY(!tests[0].toObject().contains("comparison"));
+    const QJsonObject comparison = tests[1].toObject()["comparison"].toObject();
+    QCOMPARE(comparison["test"].toString(), "found");
+    QCOMPARE(comparison["word"].toString(), "better");
+    QCOMPARE(comparison.size(),
+             stated.size() - 6); // format, version, program, both sides, axis and plane; test
+    for (const QString &key : comparison.keys()) {
+        if (key != "test")
+            QCOMPARE(comparison[key], stated[key]);
+    }
+    const QByteArray terminal = runCli({"evaluate", both, "--language", "en"}).out;
+    for (const char *words : {"Comparison of two tests", "CHANGED, BETTER", "Parts of U (µm), each alone"})
+        QVERIFY2(terminal.contains(words), words);
+}
+
+void CompareCommandTest::theWordsAreExplained() {
+    const auto said = [](const QStringList &words) {
+        return QString::fromUtf8(runCli(QStringList{"compare", both, both, "--language", "en"} + words).out)
+            .simplified();
+    };
+    QVERIFY(said({"--test", "1,2"}).contains("“Changed” where the difference exceeds its U"));
+    const QString agreed = said({"--test", "1,2", "--tolerance", "5"});
+    QVERIFY(agreed.contains("Unchanged within t where difference and U together are at most t"));
+    QVERIFY(!agreed.contains("“Changed”"));
+    const QTemporaryDir folder; // another laboratory: another instrument
+    QFile file(both);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QFile other(folder.filePath("other.palmer"));
+    QVERIFY(other.open(QIODevice::WriteOnly));
+    other.write(file.readAll().replace(R"("serialNumber": "00000")", R"("serialNumber": "00001")"));
+    other.close();
+    const QString laboratories = QString::fromUtf8(runCli({"compare", both, other.fileName(), "--test", "1,1",
+                                                           "--laboratories", "--language", "en"})
+                                                       .out)
+                                     .simplified();
+    QVERIFY2(laboratories.contains("E_n (ISO/IEC 17043): difference over its U"), qPrintable(laboratories));
+    QVERIFY(!laboratories.contains("“Changed”"));
 }
 
 void CompareCommandTest::circlesAreComparedBySourcesAndPaths() {

@@ -90,10 +90,12 @@ void addPair(Counts &counts, const TestComparison &comparison) {
 } // namespace
 
 /// How often the statements of a comparison hold: pairs of tests of an axis that did not change.
-///   palmer-comparison-coverage [PAIRS [CYCLES]]
+///   palmer-comparison-coverage [PAIRS [CYCLES [TRIALS]]]
 int main(int argc, char **argv) {
     const int pairs = argc > 1 ? std::atoi(argv[1]) : 1000;
-    const int only = argc > 2 ? std::atoi(argv[2]) : 0;
+    const int only = argc > 2 ? std::atoi(argv[2]) : 0; // 0: all
+    ComparisonOptions options;
+    options.trials = argc > 3 ? std::atoll(argv[3]) : options.trials;
     Machine machine;
     for (const int cycles : {2, 3, 5, 10}) {
         if (only > 0 && cycles != only)
@@ -120,7 +122,7 @@ int main(int argc, char **argv) {
                     if (shared)
                         one->surroundings.instruments = {&laser};
                 }
-                addPair(counts, compareTwoTests(a, b));
+                addPair(counts, compareTwoTests(a, b, options));
             }
             const auto percent = [&](int count) { return 100.0 * count / counts.pairs; };
             std::printf("n = %d, device %s, %d pairs: band %.1f %%, one of A E M R B changed %.1f %%\n",

@@ -27,6 +27,7 @@
 #include "report/blocks/pagetext.h"
 #include "report/blocks/plaintext.h"
 #include "report/composereport.h"
+#include "report/parts/comparedtests.h"
 #include "report/tables/findinglines.h"
 #include "report/tables/resulttable.h"
 #include "report/tables/summary.h"
@@ -455,6 +456,7 @@ private:
         };
         const QString terminal = printed(composeResults(m_followed.evaluated, language));
         const QString findings = printed(composeFindings(m_followed.evaluated, language));
+        comparisons(page, terminal, language);
         const auto &leftOut = document().report.leaveOut;
         const auto hasPart = [&](ReportPart part) {
             return std::ranges::find(leftOut, part) == leftOut.end();
@@ -474,6 +476,34 @@ private:
                                                   said.toStdString());
                 }
             }
+        }
+    }
+
+    /// A comparison that is stated is in the JSON, with the test before it; pages and terminal say its word.
+    void comparisons(const QString &page, const QString &terminal, const Language &language) {
+        for (std::size_t i = 0; i < document().tests.size(); ++i) {
+            const Json asked = m_file["tests"][i].value("comparedWith", Json());
+            const Json found = m_json["tests"][i].value("comparison", Json());
+            if (asked.is_null() != found.is_null()) {
+                violated("nothing lost", "a comparison is stated or in the JSON, but not both");
+                continue;
+            }
+            if (asked.is_null())
+                continue;
+            if (found["test"] != asked["test"] || found["tolerance"] != asked.value("tolerance", Json()) ||
+                found["setUpUntouched"] != asked.value("setUpUntouched", false))
+                violated("nothing lost", "another comparison: " + asked.dump());
+            for (const Json &parameter : found["parameters"]) {
+                if (parameter["difference"] !=
+                    parameter["after"].get<double>() - parameter["before"].get<double>())
+                    violated("one voice", "a difference is none: " + parameter.dump());
+            }
+            const TestComparison &comparison = statedComparison(m_followed.evaluated, i)->comparison;
+            const auto word = wordOfAll(comparison);
+            const QString said =
+                plain(word ? language.text(changeText(*word)).toUpper() : reasonOf(comparison, language));
+            if (!page.contains(said) || !terminal.contains(said))
+                violated("one voice", "pages or terminal lack the comparison: " + said.toStdString());
         }
     }
 

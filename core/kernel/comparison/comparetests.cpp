@@ -91,9 +91,9 @@ bool isSameInstrument(const Surroundings &a, const Surroundings &b) {
 
 bool sharesAnInstrument(const Surroundings &a, const Surroundings &b) {
     return std::ranges::any_of(a.instruments, [&](const Instrument *one) {
-        return !one->serialNumber.empty() && std::ranges::any_of(b.instruments, [&](const Instrument *other) {
-            return one == other ||
-                   (one->serialNumber == other->serialNumber && one->manufacturer == other->manufacturer);
+        return std::ranges::any_of(b.instruments, [&](const Instrument *other) {
+            return one == other || (!one->serialNumber.empty() && one->serialNumber == other->serialNumber &&
+                                    one->manufacturer == other->manufacturer);
         });
     });
 }

@@ -11,6 +11,7 @@
 #include "report/words/wording.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer {
@@ -336,6 +337,12 @@ std::vector<ComparedWords> comparedWords(const TestComparison &comparison, const
             words.picture->half = *parameter.uncertainty;
             words.picture->open = !parameter.word || !statesDifference(*parameter.word);
         }
+        if (parameter.repeatabilityAlone)
+            words.repeatability = number(*parameter.repeatabilityAlone);
+        if (parameter.errorsAlone)
+            words.errors = number(*parameter.errorsAlone);
+        if (parameter.shift)
+            words.shift = number(*parameter.shift);
         if (parameter.enRatio)
             words.enRatio = language.number(*parameter.enRatio, Quantity::number, 2);
         if (parameter.word)
@@ -378,6 +385,52 @@ QString reasonOf(const TestComparison &comparison, const Language &language) {
     return comparison.noWord ? language.text(gapText(*comparison.noWord)) : QString();
 }
 
+namespace {
+
+Text meaningOfWords(const TestComparison &comparison) {
+    const auto says = [&](auto predicate) { return std::ranges::any_of(comparison.parameters, predicate); };
+    if (says([](const ComparedParameter &p) { return p.enRatio.has_value(); }))
+        return REPORT_TEXT("report",
+                           "E_n (ISO/IEC 17043): difference over its U; the results agree where its "
+                           "magnitude is at most 1.");
+    constexpr std::array ofTolerance{ChangeWord::unchangedWithin, ChangeWord::changedByMore,
+                                     ChangeWord::notProven};
+    if (says([&](const ComparedParameter &p) {
+            return p.word && std::ranges::find(ofTolerance, *p.word) != ofTolerance.end();
+        }))
+        return REPORT_TEXT("report",
+                           "Unchanged within t where difference and U together are at most t; changed "
+                           "by more than t where the difference less U exceeds it; always between "
+                           "these two sessions.");
+    return REPORT_TEXT("report",
+                       "“Changed” where the difference exceeds its U, always between these two "
+                       "sessions. Of A, E, M, R and B together about 12 % of unchanged pairs show one "
+                       "changed.");
+}
+
+/// What makes U, each alone; empty without a simulation.
+QString partsOfUncertainty(const TestComparison &comparison, const Writer &write) {
+    QStringList parts;
+    const std::vector<ComparedWords> words = comparedWords(comparison, write.language());
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const ComparedParameter &parameter = comparison.parameters[i];
+        if (parameter.repeatabilityAlone)
+            parts << joined({words[i].symbol.plain() + QChar(QChar::Nbsp) + words[i].repeatability,
+                             words[i].errors, words[i].shift},
+                            write.semicolon());
+    }
+    if (parts.isEmpty())
+        return {};
+    const std::string unit = write.language().unit(comparison.quantity).toStdString();
+    return write.say(comparison.simulated
+                         ? REPORT_TEXT("report", "Parts of U (%1), each alone: repeatability; errors of "
+                                                 "measurement; shift of the mean, which decides nothing: %2.")
+                         : REPORT_TEXT("report", "Repeatability alone (%1): %2."),
+                     {unit, parts.join(QStringLiteral(" · ")).toStdString()});
+}
+
+} // namespace
+
 QStringList methodSentences(const TestComparison &comparison, const Language &language) {
     const Writer write(language);
     QStringList sentences;
@@ -386,8 +439,8 @@ QStringList methodSentences(const TestComparison &comparison, const Language &la
         for (const SharedError error : comparison.shared)
             shared << write.text(sharedText(error));
         sentences << write.say(REPORT_TEXT("report",
-                                           "U of the difference: one simulation of both tests, %1 trials, "
-                                           "95.45 %; whole cycles drawn anew."),
+                                           "U of the difference: one simulation of both tests (JCGM 101), %1 "
+                                           "trials, 95.45 %; whole cycles drawn anew."),
                                {wholeNumber(comparison.trials)});
         sentences << (shared.isEmpty()
                           ? write.text(
@@ -402,9 +455,9 @@ QStringList methodSentences(const TestComparison &comparison, const Language &la
                                             "and of the repeatability; nothing shared is known."));
     }
     if (!comparison.noWord && !comparison.refusal)
-        sentences << write.text(REPORT_TEXT(
-            "report", "“Changed” where the difference exceeds its U, always between these two sessions. Of "
-                      "A, E, M, R and B together about 12 % of unchanged pairs show one changed."));
+        sentences << write.text(meaningOfWords(comparison));
+    if (const QString parts = partsOfUncertainty(comparison, write); !parts.isEmpty())
+        sentences << parts;
     return sentences;
 }
 

@@ -39,6 +39,9 @@ struct ComparedWords {
     QString after;
     QString difference;
     QString uncertainty;
+    QString repeatability; ///< parts of U, each alone
+    QString errors;
+    QString shift; ///< of the simulated mean
     QString enRatio;
     QString word;
     std::optional<Whisker> picture; ///< on an axis common to all

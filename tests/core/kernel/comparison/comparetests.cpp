@@ -277,7 +277,13 @@ void CompareTestsTest::whatIsNotCompared() {
     const Instrument one = laser("1");
     ComparisonOptions laboratories;
     laboratories.role = ComparisonRole::laboratories;
-    QCOMPARE(compare(a, a, laboratories, &one, &one).refusal, std::optional(NotComparable::sharedInstrument));
+    const Instrument unnumbered = laser("");
+    for (const Instrument *both :
+         {&one, &unnumbered}) // one entry of a file is one instrument, numbered or not
+        QCOMPARE(compare(a, a, laboratories, both, both).refusal,
+                 std::optional(NotComparable::sharedInstrument));
+    const Instrument other = laser("");
+    QVERIFY(!compare(a, a, laboratories, &unnumbered, &other).refusal);
 }
 
 void CompareTestsTest::whatHasNoWord() {
