@@ -110,14 +110,17 @@ QString Register::standardPath() {
 }
 
 int Register::schemaVersion() {
+    // Also without the right to read it: who has none is told so, not that there is no register.
     const QString known = m_database.isServer()
-                              ? QStringLiteral("select count(*) from information_schema.tables where "
-                                               "table_schema = 'palmer_register' and table_name = 'register'")
+                              ? QStringLiteral("select count(*) from pg_catalog.pg_tables where "
+                                               "schemaname = 'palmer_register' and tablename = 'register'")
                               : QStringLiteral("select count(*) from sqlite_master where type = 'table' and "
                                                "name = 'register'");
     if (m_database.first(known).value_or(0).toInt() == 0)
         return 0;
-    return m_database.first(QStringLiteral("select value from register where name = 'schema'"))
+    return m_database
+        .first(QStringLiteral("select value from %1register where name = 'schema'")
+                   .arg(m_database.isServer() ? QStringLiteral("palmer_register.") : QString()))
         .value_or(0)
         .toInt();
 }

@@ -74,8 +74,16 @@ private slots:
             Register reg(m_server->address());
             (void)scan(reg, {m_files.path()});
             all = listed(reg.database());
-            for (const char *statement : {"drop role if exists reader", "create role reader login",
-                                          "grant usage on schema palmer_register to reader",
+            for (const char *statement : {"drop role if exists reader", "create role reader login"})
+                reg.database().execute(QString::fromLatin1(statement));
+            try { // not that there is none
+                Register(QString(m_server->address()).replace("palmer@", "reader@"), Register::Open::read);
+                QFAIL("read without a right");
+            } catch (const Error &error) {
+                QVERIFY(
+                    Language(Language::Id::english).sentence(error.message).contains("permission denied"));
+            }
+            for (const char *statement : {"grant usage on schema palmer_register to reader",
                                           "grant select on all tables in schema palmer_register to reader"})
                 reg.database().execute(QString::fromLatin1(statement));
         }
