@@ -440,6 +440,10 @@
         <source>As found and as left</source>
         <translation>État initial et état final</translation>
     </message>
+    <message>
+        <source>Type test, eight machines</source>
+        <translation>Essai de type, huit machines</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::AgreedPointsPage</name>
@@ -1059,6 +1063,10 @@
     <message>
         <source>Choose the test to compare with: of this file, such as the one as found or that before a repair, or of another file. The report then has a page of the comparison.</source>
         <translation>Choisissez l’essai de comparaison&#xa0;: un essai de ce fichier, comme l’état initial ou l’essai avant réparation, ou celui d’un autre fichier. Le rapport a alors une page de comparaison.</translation>
+    </message>
+    <message>
+        <source>The two tests are being compared…</source>
+        <translation>Comparaison des deux essais en cours…</translation>
     </message>
     <message>
         <source>A test of another file is not part of the report.</source>
@@ -4229,14 +4237,6 @@ est la même machine que&#xa0;:</translation>
         <source>Choose a folder</source>
         <translation>Choisir un dossier</translation>
     </message>
-    <message>
-        <source>The machines of this type have no test with a result.</source>
-        <translation>Les machines de ce type n’ont aucun essai avec un résultat.</translation>
-    </message>
-    <message>
-        <source>No type test</source>
-        <translation>Pas d’essai de type</translation>
-    </message>
 </context>
 <context>
     <name>palmer::ui::RemarkList</name>
@@ -5201,6 +5201,14 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>The type test was not saved</source>
         <translation>L’essai de type n’a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>No type test</source>
+        <translation>Pas d’essai de type</translation>
+    </message>
+    <message>
+        <source>The machines of this type have no test with a result.</source>
+        <translation>Les machines de ce type n’ont aucun essai avec un résultat.</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,10 @@
 
 #include "register/machinechoices.h"
 #include "register/register.h"
+#include "register/scan.h"
 
+#include <QDir>
+#include <QTemporaryDir>
 #include <set>
 
 namespace palmer::ui {
@@ -71,6 +74,22 @@ std::vector<TypeTest> readTypeTests(const QString &address, const ListedMachine 
         std::erase_if(result, [](const TypeTest &test) { return test.members.empty(); });
         return result;
     });
+}
+
+std::vector<TypeTest> readTypeExample(const QString &folder) {
+    const QTemporaryDir files;
+    for (const QFileInfo &file : QDir(folder).entryInfoList(QDir::Files))
+        QFile::copy(file.filePath(), files.filePath(file.fileName()));
+    const QString address = files.filePath(QStringLiteral("register.sqlite"));
+    std::vector<ListedMachine> all;
+    try {
+        Register reg(address);
+        (void)scan(reg, {files.path()});
+        all = machines(reg.database());
+    } catch (const Error &) {
+        return {};
+    }
+    return all.empty() ? std::vector<TypeTest>() : readTypeTests(address, all.front());
 }
 
 std::vector<ListedSource> readTroubledFiles(const QString &address) {

@@ -17,6 +17,8 @@ namespace palmer::ui {
 [[nodiscard]] std::vector<ListedTest> readTests(const QString &address, int machine);
 /// Returns the type tests of all axes and parameters of the machines of one maker and type.
 [[nodiscard]] std::vector<TypeTest> readTypeTests(const QString &address, const ListedMachine &machine);
+/// The same of the files of a folder in the resources, all of machines of one type.
+[[nodiscard]] std::vector<TypeTest> readTypeExample(const QString &folder);
 /// Returns the files that cannot be read or found.
 [[nodiscard]] std::vector<ListedSource> readTroubledFiles(const QString &address);
 /// Joins another machine to one, or sets its interval, see withChoice(). Returns what there is to say: an

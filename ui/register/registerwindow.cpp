@@ -338,20 +338,9 @@ void RegisterWindow::showType() {
     const MachineRow *chosen = m_side->chosen();
     if (!chosen)
         return;
-    m_filesLane.start(
-        [address = m_service.address(), machine = chosen->machine](const Background::Job &) {
-            return readTypeTests(address, machine);
-        },
-        [this](std::vector<TypeTest> tests) {
-            if (tests.empty()) {
-                QMessageBox::information(this, tr("No type test"),
-                                         tr("The machines of this type have no test with a result."));
-                return;
-            }
-            auto *dialog = new TypeDialog(std::move(tests), this);
-            dialog->setAttribute(Qt::WA_DeleteOnClose);
-            dialog->open();
-        });
+    m_filesLane.start([address = m_service.address(), machine = chosen->machine](
+                          const Background::Job &) { return readTypeTests(address, machine); },
+                      [this](std::vector<TypeTest> tests) { showTypeTests(std::move(tests), this); });
 }
 
 void RegisterWindow::saveHistory() {

@@ -18,6 +18,7 @@
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTextBrowser>
 
@@ -78,6 +79,17 @@ void TypeDialog::save() {
     } catch (const Error &error) {
         showError(this, tr("The type test was not saved"), error);
     }
+}
+
+void showTypeTests(std::vector<TypeTest> tests, QWidget *parent) {
+    if (tests.empty()) {
+        QMessageBox::information(parent, TypeDialog::tr("No type test"),
+                                 TypeDialog::tr("The machines of this type have no test with a result."));
+        return;
+    }
+    auto *dialog = new TypeDialog(std::move(tests), parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 } // namespace palmer::ui

@@ -30,4 +30,7 @@ private:
     QTextBrowser *m_text;
 };
 
+/// Shows them in a dialog of their own, or says that there are none.
+void showTypeTests(std::vector<TypeTest> tests, QWidget *parent);
+
 } // namespace palmer::ui

@@ -82,7 +82,14 @@ std::vector<Example> examples() {
     return list;
 }
 
+Example typeExample() {
+    return {QStringLiteral(":/typetest"),
+            QCoreApplication::translate("examples", "Type test, eight machines"), QStringLiteral("2006")};
+}
+
 QString exampleDetail(const QString &path) {
+    if (path == typeExample().path)
+        return QStringLiteral("ISO 230-2:2006");
     const Document document = openDocument(path);
     if (document.tests.empty())
         return {};
@@ -91,7 +98,7 @@ QString exampleDetail(const QString &path) {
 }
 
 bool isExample(const QString &path) {
-    return path.startsWith(QLatin1StringView(":/examples/"));
+    return path.startsWith(QLatin1StringView(":/examples/")) || path == typeExample().path;
 }
 
 } // namespace palmer::ui

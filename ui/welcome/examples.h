@@ -19,6 +19,9 @@ struct Example {
 /// The examples, the published one first.
 [[nodiscard]] std::vector<Example> examples();
 
+/// The example of a type test: a folder with the tests of several machines. Year of the edition as above.
+[[nodiscard]] Example typeExample();
+
 /// Edition and size of an example, in the window's language; reads the file.
 [[nodiscard]] QString exampleDetail(const QString &path);
 

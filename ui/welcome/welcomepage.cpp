@@ -198,7 +198,9 @@ void WelcomePage::refresh() {
 
     std::vector<StartEntry> carried;
     std::vector<StartEntry> teaching; // all of one kind and edition
-    for (const Example &example : examples())
+    std::vector<Example> all = examples();
+    all.push_back(typeExample());
+    for (const Example &example : all)
         (example.teaching ? teaching : carried)
             .push_back({example.path,
                         kindIcon(example.circular),

@@ -36,7 +36,9 @@
 #include "ui/model/settings.h"
 #include "ui/proof/reportbar.h"
 #include "ui/readings/readingspage.h"
+#include "ui/register/registerqueries.h"
 #include "ui/register/registerservice.h"
+#include "ui/register/typedialog.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
@@ -476,6 +478,11 @@ void MainWindow::adoptImport(const ImportAssistant &assistant) {
 }
 
 void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) {
+    if (path == typeExample().path) {
+        m_typeReader.start([path](const Background::Job &) { return readTypeExample(path); },
+                           [this](std::vector<TypeTest> tests) { showTypeTests(std::move(tests), this); });
+        return;
+    }
     if (isMeasurement(path)) {
         importFiles({path});
         return;
@@ -1120,6 +1127,8 @@ void MainWindow::fillExamplesMenu() {
                               ->addAction(QStringLiteral("&%1  %2").arg(++number).arg(example.name));
         connect(action, &QAction::triggered, this, [this, path = example.path] { openFile(path); });
     }
+    const Example ofType = typeExample();
+    list->addAction(QStringLiteral("&0  ") + ofType.name, this, [this, ofType] { openFile(ofType.path); });
 }
 
 void MainWindow::showState() {

@@ -194,6 +194,7 @@ private:
     QStringList m_reading; ///< files being read
     std::shared_ptr<ReadProgress> m_progress = std::make_shared<ReadProgress>();
     Background m_reader;
+    Background m_typeReader;    ///< of the example of a type test
     DocumentPointer m_verified; ///< the document in an opened report; null if none was opened
     QString m_reportPath;       ///< report that the document was opened from; empty if none
     bool m_open = false;

@@ -230,7 +230,7 @@ HelpPage registerPage(const Language &language) {
              "report",
              "The newest comparable test of each machine of a type, with upper tolerance limits: what "
              "most machines of the type stay below. The machines are those in the register, no random "
-             "sample.")},
+             "sample. The examples have one of eight machines.")},
         {REPORT_TEXT("report", "History report"),
          REPORT_TEXT("report",
                      "Prints what is to be watched first, the trends, the campaigns and all tests of a "

@@ -18,8 +18,10 @@
 #include <QAbstractItemModelTester>
 #include <QAction>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -34,6 +36,7 @@
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTimer>
 #include <QToolButton>
 #include <QUndoStack>
@@ -89,6 +92,7 @@ private slots:
     void init();
     void everyExampleIsListed();
     void pagesAreMadeWhenTheyAreNeeded();
+    void theTypeExampleShowsItsMachines();
     void opensEveryExample_data();
     void opensEveryExample();
     void opensASecondFileInAWindowOfItsOwn();
@@ -220,6 +224,21 @@ void MainWindowTest::everyExampleIsListed() {
     for (const Example &example : examples())
         listed << example.path.section(u'/', -1);
     QCOMPARE(listed, QDir(":/examples").entryList({"*.palmer"}, QDir::Files, QDir::Name));
+}
+
+/// The example of a type test is a folder: its dialog shows the machines of all its files.
+void MainWindowTest::theTypeExampleShowsItsMachines() {
+    const ShownWindow shown;
+    QVERIFY(isExample(typeExample().path));
+    QVERIFY(!exampleDetail(typeExample().path).isEmpty());
+    shown.window->openFile(typeExample().path);
+    QTRY_VERIFY_WITH_TIMEOUT(shown.window->findChild<QDialog *>("typeDialog"), 30'000);
+    const auto *dialog = shown.window->findChild<QDialog *>("typeDialog");
+    QCOMPARE(dialog->findChild<QComboBox *>("typeParameter")->currentText(), "X · A");
+    const QString text = dialog->findChild<QTextBrowser *>("typeText")->toPlainText();
+    for (const QFileInfo &file : QDir(typeExample().path).entryInfoList({"*.palmer"}))
+        QVERIFY2(text.contains("Machine " + file.baseName().section('-', 1)), qPrintable(text));
+    QVERIFY(!shown.window->hasDocument());
 }
 
 void MainWindowTest::opensEveryExample() {
