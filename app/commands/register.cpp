@@ -44,11 +44,11 @@ constexpr std::array registerOptions{
     Option{"csv", "", REPORT_TEXT("report", "list: for programs, a row per parameter")},
     Option{"decimal-mark", "point|comma", REPORT_TEXT("report", "list: of CSV for spreadsheets, with a byte-order mark"), false, "csv"},
     Option{"json", "", REPORT_TEXT("report", "list, trend, type, scan: as JSON, one object a line")},
-    Option{"since-last", "", REPORT_TEXT("report", "list: what has changed in each test since the last one of its axis or plane; reads their files")},
+    Option{"since-last", "", REPORT_TEXT("report", "list, trend: what has changed in each test since the last one of its axis or plane; reads their files")},
     Option{"files", "", REPORT_TEXT("report", "list: the files that cannot be read or are not found, with their reason")},
     Option{"parameter", "A", REPORT_TEXT("report", "trend: the parameter; may stand several times; without it the main ones; type: the parameter"), true},
     Option{"edition", "E", REPORT_TEXT("report", "trend, type: all tests evaluated anew under one edition")},
-    Option{"type", "WORDS", REPORT_TEXT("report", "type: the type of the machines, or maker and type")},
+    Option{"type", "WORDS", REPORT_TEXT("report", "type: the type of the machines, or maker and type; may be left out where files are all of one")},
     Option{"content", "0.95", REPORT_TEXT("report", "type: share of the type that lies below the tolerance limit")},
     Option{"confidence", "0.95", REPORT_TEXT("report", "type: confidence of the tolerance limit")},
     Option{"distribution", "logNormal|normal", REPORT_TEXT("report", "type: distribution of the chosen tolerance limit; both are shown")},
@@ -318,12 +318,12 @@ const std::vector<Part> &parts() {
           "decimal-mark", "json", "since-last", "files"},
          0,
          runList},
-        {"trend", {"machine", "axis", "parameter", "edition", "json", "o", "force"}, 0, runRegisterTrend},
+        {"trend", {"machine", "axis", "parameter", "edition", "since-last", "json", "o", "force"}, 0, runRegisterTrend},
         {"report", {"machine", "number", "o", "force"}, 0, runRegisterReport},
         {"type",
          {"type", "parameter", "axis", "edition", "content", "confidence", "distribution", "json", "o",
           "force"},
-         0,
+         -1,
          runRegisterType},
         {"join", {}, 2, runChoice},
         {"interval", {}, 2, runChoice},
@@ -346,12 +346,11 @@ int runRegister(const Invocation &invocation) {
     const auto part =
         std::ranges::find_if(parts(), [&](const Part &one) { return word == QLatin1StringView(one.name); });
     if (part == parts().end()) {
-        std::string known;
-        for (const Part &one : parts())
-            known += (known.empty() ? "" : ", ") + std::string(one.name);
+        const QStringList known = partsOf(registerCommand());
         throw UsageError({REPORT_TEXT("report", "%1 does not know “%2”; it knows: %3"),
-                          {std::string("register"), word.toStdString(), known}},
-                         word, partsOf(registerCommand()));
+                          {std::string("register"), word.toStdString(),
+                           known.join(QStringLiteral(", ")).toStdString()}},
+                         word, known);
     }
     for (const auto &[name, value] : invocation.options) {
         if (!takes(word, *findOption(registerOptions, name)))
@@ -384,12 +383,18 @@ QString registerAddress(const Invocation &invocation) {
 }
 
 Command registerCommand() {
+    static const std::string words = [] {
+        std::string all;
+        for (const auto &one : parts())
+            all += (all.empty() ? "" : "|") + std::string(one.name);
+        return all + " …";
+    }();
     return {
         "register",
-        "scan|list|trend|report|type|join …",
+        words.c_str(),
         REPORT_TEXT("report",
                     "all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, "
-                    "report, type, join MACHINE MACHINE, interval MACHINE MONTHS"),
+                    "report, type [FILE…], join MACHINE MACHINE, interval MACHINE MONTHS"),
         registerOptions,
         runRegister,
         true,

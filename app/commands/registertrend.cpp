@@ -12,6 +12,7 @@
 #include "register/queries.h"
 #include "register/reevaluate.h"
 #include "register/register.h"
+#include "register/sincelast.h"
 #include "register/storedsentence.h"
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
@@ -155,6 +156,9 @@ int runRegisterTrend(const Invocation &invocation) {
     if (!output.isEmpty())
         requireOutput(invocation, output, {"csv", "json", "svg", "png", "pdf"});
     const Edition *edition = editionAsked(invocation);
+    if (edition && invocation.has("since-last"))
+        throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
+                          {std::string("since-last"), std::string("edition")}});
     Register reg(registerAddress(invocation), Register::Open::read);
     const ListedMachine machine = machineCalled(machines(reg.database()), words, invocation.language);
     filter.machines = {machine.id};
@@ -169,6 +173,8 @@ int runRegisterTrend(const Invocation &invocation) {
             code = cannotRead;
         }
     }
+    if (invocation.has("since-last"))
+        findChanges(list);
     const std::string axis = list.back().test.axis;
     std::vector<MachineTrend> trends;
     for (const std::string &parameter : parametersAsked(invocation, list))

@@ -8,13 +8,16 @@
 #include "print/pdf/writepdf.h"
 #include "register/reevaluate.h"
 #include "register/register.h"
+#include "register/scan.h"
 #include "register/storedsentence.h"
 #include "register/typeoutput.h"
 #include "report/blocks/plaintext.h"
 
 #include <QBuffer>
 #include <QFileInfo>
+#include <QTemporaryDir>
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace palmer {
@@ -49,23 +52,71 @@ std::vector<ListedMachine> machinesAsked(const std::vector<ListedMachine> &all, 
     return found;
 }
 
+/// A register of the files of the call, in a folder of its own, otherwise the one asked for.
+class TypeSource {
+public:
+    explicit TypeSource(const Invocation &invocation) {
+        const QStringList files = invocation.arguments.mid(1);
+        if (files.isEmpty()) {
+            m_register.emplace(registerAddress(invocation), Register::Open::read);
+            return;
+        }
+        if (invocation.has("register"))
+            throw UsageError(
+                {REPORT_TEXT("report", "files and --%1 do not go together"), {std::string("register")}});
+        m_register.emplace(m_folder.filePath(QStringLiteral("register.sqlite")));
+        for (const Unreadable &one : scan(*m_register, files).unreadable) {
+            printError(one.path + QStringLiteral(": ") + sentenceFrom(one.error, invocation.language));
+            m_code = cannotRead;
+        }
+    }
+
+    [[nodiscard]] Database &database() { return m_register->database(); }
+    [[nodiscard]] int code() const { return m_code; } ///< cannotRead: a file was left out
+
+private:
+    QTemporaryDir m_folder; ///< outlives the register in it
+    std::optional<Register> m_register;
+    int m_code = done;
+};
+
+/// The type asked for, otherwise that of all machines of the files.
+QString typeAsked(const Invocation &invocation, const std::vector<ListedMachine> &all) {
+    if (invocation.arguments.size() == 1 || invocation.has("type"))
+        return neededOption(invocation, "type");
+    std::set<QString> types;
+    for (const ListedMachine &machine : all)
+        types.insert(asCompared(machine.manufacturer + u' ' + machine.model));
+    if (types.size() != 1 || all.front().model.isEmpty())
+        throw UsageError(
+            {REPORT_TEXT("report", "the machines of the files are not all of one type; choose it "
+                                   "with --type"),
+             {}});
+    return all.front().manufacturer + u' ' + all.front().model;
+}
+
 } // namespace
 
 int runRegisterType(const Invocation &invocation) {
-    const QString words = neededOption(invocation, "type");
+    if (invocation.arguments.size() == 1)
+        (void)neededOption(invocation, "type");
     const std::string asked = neededOption(invocation, "parameter").toStdString();
     const Tolerance tolerance{shareAsked(invocation, "content", Tolerance().content),
                               shareAsked(invocation, "confidence", Tolerance().confidence)};
     const TypeDistribution distribution = distributionAsked(invocation);
     const Edition *edition = editionAsked(invocation);
-    Register reg(registerAddress(invocation), Register::Open::read);
-    const std::vector<ListedMachine> chosen = machinesAsked(machines(reg.database()), words);
+    TypeSource source(invocation);
+    const std::vector<ListedMachine> all = machines(source.database());
+    if (all.empty() && source.code() != done)
+        return source.code();
+    const QString words = typeAsked(invocation, all);
+    const std::vector<ListedMachine> chosen = machinesAsked(all, words);
     TestFilter filter;
     for (const ListedMachine &machine : chosen)
         filter.machines.push_back(machine.id);
     filter.axis = invocation.value("axis").value_or(QString());
-    std::vector<ListedTest> list = tests(reg.database(), filter);
-    int code = done;
+    std::vector<ListedTest> list = tests(source.database(), filter);
+    int code = source.code();
     if (edition) {
         for (const Unreadable &one : reevaluate(list, *edition)) {
             printError(one.path + QStringLiteral(": ") + sentenceFrom(one.error, invocation.language));

@@ -88,11 +88,10 @@ QString dueText(const ListedTest &listed, const Language &language) {
 Json sinceLastJson(const SinceLast &change) {
     Json parameters = Json::array();
     for (const ComparedParameter &one : change.comparison.parameters)
-        parameters.push_back(
-            {{"id", one.index.empty() ? std::string(one.term.id) : one.term.id + ("_" + one.index)},
-             {"difference", one.difference},
-             {"expandedUncertainty", orNull(one.uncertainty)},
-             {"word", one.word ? Json(fileWord(*one.word)) : Json()}});
+        parameters.push_back({{"id", comparedId(one)},
+                              {"difference", one.difference},
+                              {"expandedUncertainty", orNull(one.uncertainty)},
+                              {"word", one.word ? Json(fileWord(*one.word)) : Json()}});
     const auto word = wordOfAll(change.comparison);
     return {{"file", change.last.path.toStdString()},
             {"test", change.last.test},
@@ -161,7 +160,9 @@ QByteArray listedTestJson(const ListedTest &listed) {
 
 QByteArray listedTestsCsvHead(char decimalMark) {
     QStringList head = summaryHead(SummaryForm::csv, Language(Language::Id::english));
-    return summaryCsv({head << QStringLiteral("due") << QStringLiteral("certificateDue")}, decimalMark);
+    for (const char *name : {"due", "certificateDue", "lastDate", "sinceLast", "difference", "differenceU"})
+        head << QString::fromLatin1(name);
+    return summaryCsv({head}, decimalMark);
 }
 
 QByteArray listedTestCsv(const ListedTest &listed, char decimalMark) {
@@ -174,6 +175,15 @@ QByteArray listedTestCsv(const ListedTest &listed, char decimalMark) {
     const auto cell = [](std::optional<double> number) {
         return number ? QString::fromStdString(shortest(*number)) : QString();
     };
+    const auto changes = [&](const std::string &result) -> QStringList {
+        if (!listed.sinceLast)
+            return QStringList(4, QString());
+        const ComparedParameter *change = changeOf(*listed.sinceLast, result);
+        return {QString::fromStdString(listed.sinceLast->date.value_or("")),
+                change && change->word ? QString::fromLatin1(fileWord(*change->word)) : QString(),
+                change ? cell(change->difference) : QString(),
+                change ? cell(change->uncertainty) : QString()};
+    };
     std::vector<QStringList> rows;
     for (const RegisteredResult &result : test.results)
         rows.push_back(head +
@@ -181,9 +191,9 @@ QByteArray listedTestCsv(const ListedTest &listed, char decimalMark) {
                                    cell(result.expandedUncertainty), cell(result.limit),
                                    QString::fromLatin1(unitOf(test)),
                                    QString::fromLatin1(limitsWord(result.verdict))} +
-                       tail);
+                       tail + changes(result.id));
     if (rows.empty())
-        rows.push_back(head + QStringList(6, QString()) + tail);
+        rows.push_back(head + QStringList(6, QString()) + tail + changes({}));
     return summaryCsv(rows, decimalMark);
 }
 

@@ -14,7 +14,8 @@ namespace palmer {
 /// Independent of the register it comes from: the same files give the same bytes.
 [[nodiscard]] QByteArray listedTestJson(const ListedTest &listed);
 
-/// CSV rows, one per parameter: like `evaluate --table csv`, plus what is due.
+/// CSV rows, one per parameter: like `evaluate --table csv`, plus what is due and, where it was asked for,
+/// what has changed since the last test.
 [[nodiscard]] QByteArray listedTestsCsvHead(char decimalMark = '.');
 [[nodiscard]] QByteArray listedTestCsv(const ListedTest &listed, char decimalMark = '.');
 

@@ -152,6 +152,7 @@ private:
         entry.file = listed.places.empty() ? QString() : listed.places.front().path;
         entry.test = listed.places.empty() ? 1 : listed.places.front().test;
         entry.digest = test.digest;
+        entry.sinceLast = listed.sinceLast;
         entry.stretch = stretch;
         for (std::size_t i = 0; i < test.parts.size(); ++i) {
             if ((entry.result.shared >> i & 1U) != 0)

@@ -26,6 +26,7 @@ struct TrendEntry {
     QString file;
     int test = 1;
     QString digest;
+    std::shared_ptr<const SinceLast> sinceLast; ///< where it was asked for
     std::size_t stretch = 0; ///< number of interventions before it: neighbours with the same role and stretch
                              ///< are joined by a line
 };

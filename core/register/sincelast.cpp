@@ -57,6 +57,19 @@ std::shared_ptr<const SinceLast> sinceLast(const ListedTest &before, const Liste
         SinceLast{before.places.front(), before.test.date, compare(placed(was, before), placed(is, now))});
 }
 
+void findChanges(std::vector<ListedTest> &tests) {
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        if (const auto last = lastBefore(tests, i))
+            tests[i].sinceLast = sinceLast(tests[*last], tests[i]);
+    }
+}
+
+const ComparedParameter *changeOf(const SinceLast &change, const std::string &result) {
+    const auto &all = change.comparison.parameters;
+    const auto found = std::ranges::find(all, result, comparedId);
+    return found == all.end() ? nullptr : &*found;
+}
+
 QString sinceLastWord(const SinceLast &change, const Language &language) {
     const auto word = wordOfAll(change.comparison);
     return word ? language.text(changeText(*word)) : reasonOf(change.comparison, language);

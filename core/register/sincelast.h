@@ -24,6 +24,12 @@ struct SinceLast {
 /// Compares two tests as their files have them. Null if a file cannot be read any more or has changed.
 [[nodiscard]] std::shared_ptr<const SinceLast> sinceLast(const ListedTest &before, const ListedTest &now);
 
+/// Sets `sinceLast` of each of the tests of a machine in the order of tests().
+void findChanges(std::vector<ListedTest> &tests);
+
+/// Returns what is said of one result ("A", "G_XY"); null: it is not compared.
+[[nodiscard]] const ComparedParameter *changeOf(const SinceLast &change, const std::string &result);
+
 /// "changed, worse", or why nothing is said.
 [[nodiscard]] QString sinceLastWord(const SinceLast &change, const Language &language);
 

@@ -7,6 +7,9 @@
 #include "language/rounding.h"
 #include "register/jsonline.h"
 #include "register/listing.h"
+#include "register/sincelast.h"
+#include "report/parts/comparedtests.h"
+#include "report/parts/testpart.h"
 #include "report/tables/summary.h"
 #include "report/words/wording.h"
 
@@ -255,7 +258,29 @@ Json lineJson(const MachineTrend &trend) {
             {"withoutParts", trend.withoutParts}};
 }
 
-Json seriesJson(const TrendSeries &series) {
+/// What has changed since the last test; null: not asked for, or not compared.
+Json sinceLastJson(const TrendEntry &entry, const std::string &parameter) {
+    const ComparedParameter *change = entry.sinceLast ? changeOf(*entry.sinceLast, parameter) : nullptr;
+    if (!change)
+        return nullptr;
+    return {{"date", orNull(entry.sinceLast->date)},
+            {"difference", orNull(change->difference)},
+            {"expandedUncertainty", orNull(change->uncertainty)},
+            {"word", change->word ? Json(fileWord(*change->word)) : Json()}};
+}
+
+/// "−9.1 ± 3.7 changed, better", or why nothing is said.
+QString sinceLastText(const TrendEntry &entry, const MachineTrend &trend, const Language &language) {
+    const ComparedParameter *change = entry.sinceLast ? changeOf(*entry.sinceLast, trend.parameter) : nullptr;
+    if (!change || !change->word)
+        return entry.sinceLast ? sinceLastWord(*entry.sinceLast, language) : QString();
+    const auto words = comparedWords(entry.sinceLast->comparison, language);
+    const auto index = static_cast<std::size_t>(change - entry.sinceLast->comparison.parameters.data());
+    return words[index].difference + QStringLiteral("\u00A0±\u00A0") + words[index].uncertainty + u' ' +
+           words[index].word;
+}
+
+Json seriesJson(const TrendSeries &series, const MachineTrend &trend) {
     Json points = Json::array();
     for (const TrendEntry &entry : series.entries) {
         Json shared = Json::array();
@@ -272,7 +297,8 @@ Json seriesJson(const TrendSeries &series) {
                           {"role", fileWord(entry.role)},
                           {"purpose", fileWord(entry.purpose)},
                           {"file", entry.file.toStdString()},
-                          {"test", entry.test}});
+                          {"test", entry.test},
+                          {"sinceLast", sinceLastJson(entry, trend.parameter)}});
     }
     return {{"edition", orNull(series.edition)},
             {"feed", orNull(series.feed)},
@@ -287,7 +313,7 @@ Json seriesJson(const TrendSeries &series) {
 QByteArray trendJson(const ListedMachine &machine, const std::string &axis, const MachineTrend &trend) {
     Json series = Json::array();
     for (const TrendSeries &one : trend.series)
-        series.push_back(seriesJson(one));
+        series.push_back(seriesJson(one, trend));
     Json interventions = Json::array();
     for (const Intervention &one : trend.interventions)
         interventions.push_back({{"date", one.date}, {"kind", interventionWord(one.kind)}});
@@ -308,18 +334,25 @@ QByteArray trendCsv(const ListedMachine &machine, const std::string &axis,
                     const std::vector<MachineTrend> &trends) {
     CsvWriter csv('.');
     csv.row("machine", "serialNumber", "axis", "parameter", "series", "edition", "date", "value", "U",
-            "limit", "unit", "role", "purpose", "line", "uOfLine", "file", "test");
+            "limit", "unit", "role", "purpose", "line", "uOfLine", "file", "test", "lastDate", "sinceLast",
+            "difference", "differenceU");
     for (const MachineTrend &trend : trends) {
         for (std::size_t i = 0; i < trend.series.size(); ++i) {
             for (const TrendEntry &entry : trend.series[i].entries) {
                 const bool onLine = i == 0 && trend.line && entry.stretch == trend.interventions.size();
+                const ComparedParameter *change =
+                    entry.sinceLast ? changeOf(*entry.sinceLast, trend.parameter) : nullptr;
                 csv.row(machine.name.toStdString(), machine.serialNumber.toStdString(), axis, trend.parameter,
                         static_cast<double>(i + 1), trend.series[i].edition, entry.date, entry.result.value,
                         entry.result.expandedUncertainty, entry.result.limit, trend.angular ? "deg" : "mm",
                         fileWord(entry.role), fileWord(entry.purpose),
                         onLine ? std::optional(trend.line->at(entry.time)) : std::nullopt,
                         onLine ? std::optional(trend.line->uncertaintyAt(entry.time)) : std::nullopt,
-                        entry.file.toStdString(), entry.test);
+                        entry.file.toStdString(), entry.test,
+                        entry.sinceLast ? entry.sinceLast->date.value_or("") : std::string(),
+                        change && change->word ? fileWord(*change->word) : "",
+                        change ? std::optional(change->difference) : std::nullopt,
+                        change ? change->uncertainty : std::nullopt);
             }
         }
     }
@@ -357,6 +390,7 @@ Report composeTrend(const ListedMachine &machine, const std::string &axis, const
                          {plainSymbolOf(trend.parameter), unit, Alignment::decimal},
                          {QStringLiteral("U"), unit, Alignment::decimal},
                          {language.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal},
+                         {language.text(REPORT_TEXT("report", "Against the last")), unit},
                          {language.text(REPORT_TEXT("report", "File")), {}, Alignment::left, true}};
         for (const TrendEntry &entry : series.entries) {
             const ShownValue shown = shownResult(entry.result, trend.angular, language);
@@ -370,8 +404,10 @@ Report composeTrend(const ListedMachine &machine, const std::string &axis, const
                  Cell(entry.result.limit ? language.number(*entry.result.limit, quantity,
                                                            limitDecimals(*entry.result.limit, quantity))
                                          : QString()),
-                 Cell(entry.file)});
+                 Cell(sinceLastText(entry, trend, language)), Cell(entry.file)});
         }
+        constexpr std::size_t changeColumn = 6;
+        leaveOutEmptyColumns(table, changeColumn, changeColumn);
         report.blocks.emplace_back(std::move(table));
     }
     report.blocks.emplace_back(Paragraph{trendMethod(trend, language), TextSize::small});

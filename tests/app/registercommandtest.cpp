@@ -86,6 +86,8 @@ private slots:
     void whatIsExceededComesFirst();
     void theNumberOfAHistory_data();
     void theNumberOfAHistory();
+    void theTypeOfFiles();
+    void eachPartHasItsHelp();
     void theTestOfAType();
     void theTypeOnPaper();
     void whatChangedSinceTheLastTest();
@@ -667,6 +669,91 @@ void RegisterCommandTest::whatChangedSinceTheLastTest() {
     QCOMPARE(list[1]["sinceLast"]["word"].toString(), "better");
     QCOMPARE(list[1]["sinceLast"]["date"].toString(), "2026-11-20");
     QVERIFY(reg({"list", "--since-last", "--language", "fr"}).out.contains("changé, mieux"));
+    // CSV and trend say it of each parameter, as the comparison itself does.
+    const QJsonArray parameters = list[1]["sinceLast"]["parameters"].toArray();
+    const QJsonObject a = parameters.at(0).toObject();
+    QCOMPARE(a["id"].toString(), "A");
+    const auto rows = [](const QByteArray &csv) {
+        std::vector<QMap<QString, QString>> all;
+        const QList<QByteArray> lines = csv.trimmed().split('\n');
+        const QList<QByteArray> head = lines.front().split(',');
+        for (qsizetype i = 1; i < lines.size(); ++i) {
+            QMap<QString, QString> row;
+            for (qsizetype k = 0; k < head.size(); ++k)
+                row[QString::fromUtf8(head[k])] = QString::fromUtf8(lines[i].split(',').value(k));
+            all.push_back(row);
+        }
+        return all;
+    };
+    const auto isOfA = [&](const QMap<QString, QString> &row) {
+        return row["date"] == "2026-11-23" && row["parameter"] == "A";
+    };
+    const QString out = m_dir->filePath("trend.csv");
+    QCOMPARE(reg({"trend", "--machine", "000-017", "--axis", "X", "--since-last", "-o", out}).code, 0);
+    for (const QByteArray &csv : {reg({"list", "--csv", "--since-last"}).out, contents(out)}) {
+        const auto all = rows(csv);
+        const auto row = std::ranges::find_if(all, isOfA);
+        QVERIFY2(row != all.end(), csv.constData());
+        QCOMPARE((*row)["lastDate"], "2026-11-20");
+        QCOMPARE((*row)["sinceLast"], "better");
+        QCOMPARE((*row)["difference"].toDouble(), a["difference"].toDouble());
+        QCOMPARE((*row)["differenceU"].toDouble(), a["expandedUncertainty"].toDouble());
+    }
+    QVERIFY(reg({"list", "--csv", "--since-last", "--decimal-mark", "comma"}).out.contains(";better;-0,00"));
+    const auto trend = objects(
+        reg({"trend", "--machine", "000-017", "--axis", "X", "--parameter", "A", "--since-last", "--json"})
+            .out);
+    const QJsonArray points = trend.front()["series"].toArray().at(0)["points"].toArray();
+    QVERIFY(points.at(0)["sinceLast"].isNull());
+    QCOMPARE(points.at(1)["sinceLast"]["word"].toString(), "better");
+    QCOMPARE(points.at(1)["sinceLast"]["difference"], a["difference"]);
+    QVERIFY(reg({"trend", "--machine", "000-017", "--axis", "X", "--parameter", "A", "--since-last",
+                 "--language", "en"})
+                .out.contains("changed, better"));
+    QCOMPARE(reg({"trend", "--machine", "000-017", "--axis", "X", "--since-last", "--edition", "2014"}).code,
+             2);
+}
+
+void RegisterCommandTest::theTypeOfFiles() {
+    const QString folder = SOURCE "/resources/typetest";
+    const auto type = [&](const QStringList &words) {
+        return runCli(QStringList{"register", "type", "--parameter", "A"} + words);
+    };
+    const CliResult json = type({folder, "--json"});
+    QCOMPARE(json.err, QByteArray());
+    QCOMPARE(json.code, 0);
+    const QJsonObject found = objects(json.out).front();
+    QCOMPARE(found["machines"].toArray().size(), 8);
+    QVERIFY(!found["statistics"]["normality"]["values"].isNull());
+    // The same as from a register of these files.
+    QCOMPARE(reg({"scan", folder}).code, 0);
+    QCOMPARE(reg({"type", "--type", "VC 500", "--parameter", "A", "--json"}).out, json.out);
+    QCOMPARE(objects(type({folder + "/machine-101.palmer", folder + "/machine-102.palmer",
+                           folder + "/machine-103.palmer", "--json"})
+                         .out)
+                 .front()["machines"]
+                 .toArray()
+                 .size(),
+             3);
+    QCOMPARE(type({folder, "--type", "none"}).code, 2);
+    QCOMPARE(type({folder, SOURCE "/resources/examples/rotary-axis.palmer"}).code, 2); // another type
+    QCOMPARE(type({folder, "--register", m_dir->filePath("r.sqlite")}).code, 2);
+    const CliResult missing = type({folder, m_dir->filePath("missing.palmer")});
+    QCOMPARE(missing.code, 3);
+    QVERIFY(missing.err.contains("missing.palmer") && missing.out.contains("Machine 101"));
+}
+
+/// Each part stands in the help, whose help is there.
+void RegisterCommandTest::eachPartHasItsHelp() {
+    const QString words =
+        QString::fromUtf8(runCli({"register", "--help"}, {}, {{"COLUMNS", "1000"}}).out).section('\n', 0, 0);
+    const QStringList parts = words.section(' ', -2, -2).split('|');
+    QVERIFY(parts.contains("interval") && parts.contains("scan"));
+    for (const QString &part : parts) {
+        const CliResult help = runCli({"register", part, "--help"});
+        QCOMPARE(help.code, 0);
+        QVERIFY2(help.out.contains(("\n  palmer-cli register " + part).toUtf8()), qPrintable(part));
+    }
 }
 
 void RegisterCommandTest::theTestOfAType() {

@@ -176,7 +176,7 @@ QByteArray summaryCsv(const std::vector<QStringList> &rows, char decimalMark) {
             const QString &cell = row[static_cast<qsizetype>(i)];
             bool isNumber = false;
             const double number = cell.toDouble(&isNumber);
-            if (isNumber && i < columns.size() && columns[i].atRight)
+            if (isNumber && (i >= columns.size() || columns[i].atRight))
                 csv.number(number);
             else
                 csv.text(cell.toStdString());

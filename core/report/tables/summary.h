@@ -55,7 +55,7 @@ struct SummaryTest {
 [[nodiscard]] std::vector<QStringList> summaryRows(const EvaluatedDocument &evaluated, const QString &file,
                                                    SummaryForm form, const Language &language);
 
-/// The rows as a CSV file; cells after those of summaryHead() are texts.
+/// The rows as a CSV file; cells after those of summaryHead() are numbers where they are written as one.
 [[nodiscard]] QByteArray summaryCsv(const std::vector<QStringList> &rows, char decimalMark = '.');
 
 /// Head and rows in aligned columns, without empty ones; if a row would be wider than `width`, texts are
