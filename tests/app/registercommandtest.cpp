@@ -703,10 +703,11 @@ void RegisterCommandTest::whatChangedSinceTheLastTest() {
     const auto trend = objects(
         reg({"trend", "--machine", "000-017", "--axis", "X", "--parameter", "A", "--since-last", "--json"})
             .out);
-    const QJsonArray points = trend.front()["series"].toArray().at(0)["points"].toArray();
-    QVERIFY(points.at(0)["sinceLast"].isNull());
-    QCOMPARE(points.at(1)["sinceLast"]["word"].toString(), "better");
-    QCOMPARE(points.at(1)["sinceLast"]["difference"], a["difference"]);
+    const QJsonArray series = trend.front()["series"].toArray(); // the compensation differs
+    const auto since = [&](int of) { return series.at(of)["points"].toArray().at(0)["sinceLast"]; };
+    QVERIFY(since(1).isNull());
+    QCOMPARE(since(0)["word"].toString(), "better");
+    QCOMPARE(since(0)["difference"], a["difference"]);
     QVERIFY(reg({"trend", "--machine", "000-017", "--axis", "X", "--parameter", "A", "--since-last",
                  "--language", "en"})
                 .out.contains("changed, better"));
