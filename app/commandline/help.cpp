@@ -161,8 +161,9 @@ QString commandHelp(const Command &command, const Language &language, const QStr
         for (const QString &line : wrapped(QStringLiteral("palmer-cli ") + example, textColumns() - 2))
             examples += QStringLiteral("  ") + line + u'\n';
     const QString arguments = part.isEmpty() ? QString::fromUtf8(command.arguments).trimmed() : part;
-    return QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) + QStringLiteral(" [OPTION]… ") +
-           arguments + QStringLiteral("\n\n") + paragraph(language.text(command.description)) + u'\n' +
+    return paragraph(QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) +
+                     QStringLiteral(" [OPTION]… ") + arguments) +
+           u'\n' + paragraph(language.text(command.description)) + u'\n' +
            inColumns(options, textColumns()) + u'\n' + language.text(REPORT_TEXT("report", "Examples")) +
            u'\n' + examples + u'\n' + language.text(REPORT_TEXT("report", "Exit codes")) + u'\n' +
            inColumns(exitRows(language, &command), textColumns());
