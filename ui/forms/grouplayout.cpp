@@ -30,6 +30,12 @@ GroupLayout::GroupLayout(QLabel *name, int gap)
     m_items.push_back(m_rows);
 }
 
+// A layout owns its items; one that is deleted looks for itself among those of its parent.
+GroupLayout::~GroupLayout() {
+    while (QLayoutItem *item = GroupLayout::takeAt(0))
+        delete item;
+}
+
 void GroupLayout::addRow(QLayout *row) {
     m_rows->addLayout(row);
 }

@@ -15,6 +15,7 @@ class GroupLayout : public QLayout {
 public:
     /// `gap`: height between two rows, pixels.
     GroupLayout(QLabel *name, int gap);
+    ~GroupLayout() override;
 
     void addRow(QLayout *row);
 
@@ -33,7 +34,7 @@ private:
     [[nodiscard]] std::array<QRect, 2> placesIn(int width) const;
 
     QVBoxLayout *m_rows;
-    std::vector<QLayoutItem *> m_items; ///< name, rows
+    std::vector<QLayoutItem *> m_items; ///< name, rows; owned
 };
 
 } // namespace palmer::ui
