@@ -4,6 +4,8 @@
 // Precompiled for all tests.
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "patience.h"
+
 #include <QTest>
 #include <algorithm>
 #include <array>
@@ -19,10 +21,9 @@
 #include <variant>
 #include <vector>
 
-// Five seconds are too few on a machine that others keep busy; what works takes no longer for it.
 #undef QTRY_VERIFY
-#define QTRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, 60'000)
+#define QTRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, patience)
 #undef QTRY_VERIFY2
-#define QTRY_VERIFY2(condition, message) QTRY_VERIFY2_WITH_TIMEOUT(condition, message, 60'000)
+#define QTRY_VERIFY2(condition, message) QTRY_VERIFY2_WITH_TIMEOUT(condition, message, patience)
 #undef QTRY_COMPARE
-#define QTRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, 60'000)
+#define QTRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, patience)

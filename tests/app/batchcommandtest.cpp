@@ -331,7 +331,7 @@ void BatchCommandTest::pipesAreRead() {
                                                               : QStringLiteral(PALMER_CLI " ") + command;
         QProcess shell;
         shell.start("/bin/bash", {"-c", QString(whole).replace("%1", at("in/b.palmer")) + " --json"});
-        QVERIFY(shell.waitForFinished(60'000));
+        QVERIFY(shell.waitForFinished(patience));
         QVERIFY2(object(shell.readAllStandardOutput())["tests"].isArray(), shell.readAllStandardError());
     }
 }

@@ -48,7 +48,7 @@ CliResult shell(const QByteArray &command) {
         qFatal("cannot write");
     QProcess process;
     process.start("/bin/sh", {script.fileName()});
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+    if (!process.waitForFinished(patience) || process.exitStatus() != QProcess::NormalExit)
         qFatal("%s did not end by itself", command.constData());
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
@@ -343,7 +343,7 @@ private slots:
             const QByteArray line =
                 "ulimit -v " + QByteArray::number(mebibytes * 1024) + "; exec " PALMER_CLI " " + words;
             process.start("/bin/sh", {"-c", QString::fromUtf8(line)});
-            QVERIFY(process.waitForFinished(120'000));
+            QVERIFY(process.waitForFinished(patience));
             const QByteArray err = process.readAllStandardError();
             if (err.contains("error while loading shared libraries"))
                 break; // the system's word: too little even to begin

@@ -169,7 +169,7 @@ void CompareCommandTest::itsJsonIsThatOfItsSchema() {
                     {QStringLiteral(SOURCE "/tests/core/document/validate.py"),
                      QStringLiteral(SOURCE "/resources/schema/palmer-comparison-1.schema.json"),
                      file.fileName()});
-    QVERIFY(validator.waitForFinished(60'000));
+    QVERIFY(validator.waitForFinished(patience));
     QCOMPARE(validator.readAllStandardOutput().simplified(), QByteArray("1 1 1 1"));
 }
 

@@ -42,7 +42,7 @@ CliResult runWithin(qsizetype limit, const QStringList &arguments) {
         ::setrlimit(RLIMIT_FSIZE, &most);
     });
     process.start(QStringLiteral(PALMER_CLI), arguments);
-    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+    if (!process.waitForFinished(patience) || process.exitStatus() != QProcess::NormalExit)
         qFatal("palmer-cli did not end by itself");
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
@@ -242,7 +242,7 @@ private slots:
         QVERIFY(writer.waitForStarted());
         QProcess reader;
         reader.start("cat", {pipe});
-        QVERIFY(writer.waitForFinished(60'000));
+        QVERIFY(writer.waitForFinished(patience));
         QCOMPARE(writer.exitCode(), 0);
         QVERIFY(reader.waitForFinished());
         QVERIFY(reader.readAllStandardOutput().size() > 1000);
@@ -271,7 +271,7 @@ private slots:
         QProcess endless;
         endless.setStandardInputFile("/dev/zero");
         endless.start(QStringLiteral(PALMER_CLI), {"evaluate", "-"});
-        QVERIFY(endless.waitForFinished(600'000)); // however busy the machine is
+        QVERIFY(endless.waitForFinished(patience)); // however busy the machine is
         QCOMPARE(endless.exitCode(), 3);
     }
 

@@ -72,7 +72,7 @@ private slots:
             QSKIP("appstreamcli is not installed");
         QProcess process;
         process.start(program, {"validate", "--pedantic", METAINFO});
-        QVERIFY(process.waitForFinished(60'000));
+        QVERIFY(process.waitForFinished(patience));
         const QByteArray said = process.readAllStandardOutput() + process.readAllStandardError();
         QVERIFY2(process.exitCode() == 0, said);
     }
@@ -92,7 +92,7 @@ private slots:
             QSKIP("the shell is not installed");
         QProcess process;
         process.start(program, {"-n", file});
-        QVERIFY(process.waitForFinished(60'000));
+        QVERIFY(process.waitForFinished(patience));
         QVERIFY2(process.exitCode() == 0, process.readAllStandardError());
     }
 };

@@ -39,7 +39,7 @@ void ReadmeTest::everyCommandDoesWhatItSays() {
         QProcess process;
         process.setWorkingDirectory(folder.path());
         process.start(QStringLiteral(PALMER_CLI), QProcess::splitCommand(line.mid(begin.size())));
-        QVERIFY(process.waitForFinished(120'000));
+        QVERIFY(process.waitForFinished(patience));
         const QByteArray errors = process.readAllStandardError();
         QVERIFY2(process.exitStatus() == QProcess::NormalExit, qPrintable(line));
         // 1: a verdict other than "conforms", an unmet requirement.

@@ -45,7 +45,7 @@ std::vector<QJsonObject> objects(const QByteArray &lines) {
 QByteArray runPdfinfo(const QString &pdf) {
     QProcess process;
     process.start("pdfinfo", {pdf});
-    return process.waitForFinished(60'000) ? process.readAllStandardOutput() : QByteArray();
+    return process.waitForFinished(patience) ? process.readAllStandardOutput() : QByteArray();
 }
 
 } // namespace
@@ -59,7 +59,7 @@ private slots:
         QProcess script;
         script.start("python3", {QStringLiteral(SOURCE "/tests/benchmarks/registerfiles.py"), files(),
                                  "--files", "240", "--machines", "6", "--circles"});
-        QVERIFY(script.waitForFinished(120'000));
+        QVERIFY(script.waitForFinished(patience));
         QCOMPARE(script.exitCode(), 0);
     }
     void init() {
@@ -332,7 +332,7 @@ void RegisterCommandTest::joinAndInterval() {
                  "import json, sys, jsonschema; jsonschema.validate(json.load(open(sys.argv[1])), "
                  "json.load(open(sys.argv[2])))",
                  folder + "/palmer-machines.json", SOURCE "/resources/schema/palmer-machines-1.schema.json"});
-    QVERIFY(check.waitForFinished(60'000));
+    QVERIFY(check.waitForFinished(patience));
     QVERIFY2(check.exitCode() == 0, check.readAllStandardError());
     QCOMPARE(reg({"interval", "1", "0"}).code, 0);
     QCOMPARE(reg({"list", "--due", "2099-01-01", "--json"}).out.count("\"due\": \"20"), 0);
@@ -500,7 +500,7 @@ void RegisterCommandTest::aFullDiskLosesNothing() {
         ::setrlimit(RLIMIT_FSIZE, &most);
     });
     process.start(PALMER_CLI, {"register", "scan", folder, "--register", m_register});
-    QVERIFY(process.waitForFinished(60'000));
+    QVERIFY(process.waitForFinished(patience));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
     if (process.exitCode() != 0) { // what fits into the log may be written
         QCOMPARE(process.exitCode(), 3);
@@ -522,7 +522,7 @@ void RegisterCommandTest::aFullDiskLeavesNoEmptyRegister() {
             ::setrlimit(RLIMIT_FSIZE, &most);
         });
         process.start(PALMER_CLI, {"register", "scan", files(), "--register", folder + "/new.sqlite"});
-        QVERIFY(process.waitForFinished(60'000));
+        QVERIFY(process.waitForFinished(patience));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);
         QCOMPARE(process.exitCode(), 3);
         QCOMPARE(process.readAllStandardError().count('\n'), 1);
@@ -547,7 +547,7 @@ void RegisterCommandTest::theHistoryIsPrinted() {
           Expected{"en", {"History of Machine 001", "To watch first", "Campaigns", "not before", "X 10"}}}) {
         QProcess text;
         text.start("pdftotext", {m_dir->filePath("history.") + one.language + ".pdf", "-"});
-        QVERIFY(text.waitForFinished(60'000));
+        QVERIFY(text.waitForFinished(patience));
         const QByteArray words = text.readAllStandardOutput().replace("\u00A0", " ");
         for (const QByteArray &word : one.words)
             QVERIFY2(words.contains(word), word + "\n" + words);
@@ -594,7 +594,7 @@ void RegisterCommandTest::whatIsExceededComesFirst() {
     QCOMPARE(reg({"report", "--machine", "000-002", "--language", "en", "-o", pdf}).code, 0);
     QProcess text;
     text.start("pdftotext", {pdf, "-"});
-    QVERIFY(text.waitForFinished(60'000));
+    QVERIFY(text.waitForFinished(patience));
     const QByteArray words = text.readAllStandardOutput().replace("\u00A0", " ");
     for (const char *word : {"Exceeded at the last test", "A of C: 8.1", "0.36″", "End of the history"})
         QVERIFY2(words.contains(word), words);
@@ -628,7 +628,7 @@ void RegisterCommandTest::theNumberOfAHistory() {
              0);
     QProcess text;
     text.start("pdftotext", {"-layout", pdf, "-"});
-    QVERIFY(text.waitForFinished(60'000));
+    QVERIFY(text.waitForFinished(patience));
     const QString words = QString::fromUtf8(text.readAllStandardOutput()).replace(QChar::Nbsp, ' ');
     const auto joined = [](QString all) { return all.remove(QRegularExpression("\\s")); }; // lines may break
     for (const QString &word : printed)
@@ -644,7 +644,7 @@ void RegisterCommandTest::theTypeOnPaper() {
     QProcess script;
     script.start("python3", {QStringLiteral(SOURCE "/tests/benchmarks/registerfiles.py"),
                              m_dir->filePath("types"), "--files", "54", "--machines", "9"});
-    QVERIFY(script.waitForFinished(120'000));
+    QVERIFY(script.waitForFinished(patience));
     QCOMPARE(reg({"scan", m_dir->filePath("types")}).code, 0);
     const QStringList words{"type", "--type", "Maker A CU 1000", "--parameter", "A", "--axis", "X"};
     const QString pdf = m_dir->filePath("type.pdf");
@@ -761,7 +761,7 @@ void RegisterCommandTest::theTestOfAType() {
     QProcess script; // three machines of each maker
     script.start("python3", {QStringLiteral(SOURCE "/tests/benchmarks/registerfiles.py"),
                              m_dir->filePath("types"), "--files", "54", "--machines", "9"});
-    QVERIFY(script.waitForFinished(120'000));
+    QVERIFY(script.waitForFinished(patience));
     QCOMPARE(reg({"scan", m_dir->filePath("types")}).code, 0);
     const QStringList words{"type", "--type", " maker a  CU 1000", "--parameter", "A"};
     const CliResult json = reg(words + QStringList{"--json"});
@@ -807,7 +807,7 @@ void RegisterCommandTest::theTestOfAType() {
     validator.start("python3",
                     {SOURCE "/tests/core/document/validate.py",
                      SOURCE "/resources/schema/palmer-type-1.schema.json", m_dir->filePath("types.jsonl")});
-    QVERIFY(validator.waitForFinished(60'000));
+    QVERIFY(validator.waitForFinished(patience));
     QCOMPARE(validator.readAllStandardOutput(), QByteArray("1\n1\n1\n"));
 
     const QByteArray text = reg(words + QStringList{"--language", "en"}).out;

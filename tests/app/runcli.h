@@ -34,8 +34,7 @@ inline CliResult runCli(const QStringList &arguments, const QByteArray &input = 
     process.start(QStringLiteral(PALMER_CLI), arguments);
     process.write(input);
     process.closeWriteChannel();
-    constexpr int longest = 240'000; // ms; all simulations of a self-test, under a sanitizer
-    if (!process.waitForFinished(longest) || process.exitStatus() != QProcess::NormalExit)
+    if (!process.waitForFinished(patience) || process.exitStatus() != QProcess::NormalExit)
         qFatal("palmer-cli did not end by itself");
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }

@@ -35,7 +35,7 @@ void write(const QString &name, const QByteArray &bytes) {
 QByteArray output(const QString &program, const QStringList &arguments) {
     QProcess process;
     process.start(program, arguments);
-    if (!process.waitForFinished(60'000) || process.exitCode() != 0)
+    if (!process.waitForFinished(patience) || process.exitCode() != 0)
         qFatal("%s failed", qPrintable(program));
     return process.readAllStandardOutput();
 }

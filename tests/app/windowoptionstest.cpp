@@ -60,7 +60,7 @@ private slots:
         QProcess process;
         process.setProcessEnvironment(environment);
         process.start(PALMER, words);
-        QVERIFY(process.waitForFinished(60'000));
+        QVERIFY(process.waitForFinished(patience));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);
         const QString printed = QString::fromUtf8(process.readAllStandardOutput());
         const QString said = QString::fromUtf8(process.readAllStandardError());

@@ -83,7 +83,7 @@ public:
         QFile::remove(log());
         process.start(command.front(), command.mid(1));
         process.closeWriteChannel();
-        if (!process.waitForFinished(120'000))
+        if (!process.waitForFinished(patience))
             qFatal("%s does not end", qPrintable(command.join(' ')));
         return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
                 process.readAllStandardError()};

@@ -175,7 +175,7 @@ void CataloguesTest::holdTheTextsOfTheSources() {
     arguments += {"-ts", copy, "-target-language", plurals ? "en" : "fr"};
     QProcess lupdate;
     lupdate.start(LUPDATE, arguments);
-    QVERIFY2(lupdate.waitForFinished(120'000), qPrintable(lupdate.errorString()));
+    QVERIFY2(lupdate.waitForFinished(patience), qPrintable(lupdate.errorString()));
     QVERIFY2(lupdate.exitStatus() == QProcess::NormalExit && lupdate.exitCode() == 0,
              lupdate.readAllStandardError());
 

@@ -150,7 +150,7 @@ void WindowCataloguesTest::holdTheTextsOfTheSources() {
     arguments += {SOURCES, "-ts", copy, "-target-language", plurals ? "en" : "fr"};
     QProcess lupdate;
     lupdate.start(LUPDATE, arguments);
-    QVERIFY2(lupdate.waitForFinished(120'000), qPrintable(lupdate.errorString()));
+    QVERIFY2(lupdate.waitForFinished(patience), qPrintable(lupdate.errorString()));
     QVERIFY2(lupdate.exitStatus() == QProcess::NormalExit && lupdate.exitCode() == 0,
              lupdate.readAllStandardError());
     const QSet<QString> committed = keysOf(catalogue(name)), sources = keysOf(copy);

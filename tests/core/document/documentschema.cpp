@@ -210,7 +210,7 @@ QList<bool> validate(const QList<Case> &cases, int version) {
     validator.start(QStringLiteral("/usr/bin/python3"),
                     {QStringLiteral(PALMER_SOURCE_DIR "/tests/core/document/validate.py"),
                      schemaPath(version), file.fileName()});
-    if (!validator.waitForFinished(1'200'000) || validator.exitCode() != 0)
+    if (!validator.waitForFinished(patience) || validator.exitCode() != 0)
         return {};
     QList<bool> valid;
     for (const QByteArray &line : validator.readAllStandardOutput().trimmed().split('\n'))

@@ -157,7 +157,7 @@ void RoundingTest::agreesWithExactDecimals() {
     QVERIFY(python.waitForStarted());
     python.write(input);
     python.closeWriteChannel();
-    QVERIFY(python.waitForFinished(240'000));
+    QVERIFY(python.waitForFinished(patience));
     QVERIFY2(python.exitCode() == 0, python.readAllStandardError());
     const auto lines = python.readAllStandardOutput().trimmed().split('\n');
     QCOMPARE(lines.size(), static_cast<qsizetype>(numbers.size()));

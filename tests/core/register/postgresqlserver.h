@@ -78,7 +78,7 @@ private:
         process.setProcessChannelMode(QProcess::MergedChannels);
         process.setStandardOutputFile(QProcess::nullDevice()); // the server keeps it open
         process.start(command.takeFirst(), command);
-        const bool ended = process.waitForFinished(180'000);
+        const bool ended = process.waitForFinished(patience);
         m_said = QString("exit code %1").arg(process.exitCode());
         return ended && process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0;
     }

@@ -41,7 +41,7 @@ struct Shown {
         page.activateWindow();
         finish();
     }
-    void finish() const { QTRY_VERIFY_WITH_TIMEOUT(!page.isBusy(), 60'000); }
+    void finish() const { QTRY_VERIFY(!page.isBusy()); }
 
     template <class Widget>
     [[nodiscard]] Widget *find(const char *name) const {

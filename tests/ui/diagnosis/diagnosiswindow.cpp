@@ -39,7 +39,7 @@ private slots:
         workplace.showPage(Page::diagnosis);
         auto *page = shown.find<DiagnosisPage>("diagnosisPage");
         QVERIFY(page->isVisible());
-        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+        QTRY_VERIFY(isSyntheticDrawn(shown));
         QVERIFY(!page->tracedNames().isEmpty());
         const auto figure = *shown.window->findChild<CircleCanvas *>()->paperFigure();
         QVERIFY(std::ranges::any_of(figure.legend, [](const CircleLegendEntry &entry) {
@@ -61,7 +61,7 @@ private slots:
         const QRect corner(0, 0, canvas->width() * 3 / 10, 40);
         const QImage before = canvas->grab(corner).toImage();
         shown.window->workplace().showPage(Page::diagnosis);
-        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+        QTRY_VERIFY(isSyntheticDrawn(shown));
         QTRY_VERIFY(!canvas->isMaking());
         QCOMPARE(canvas->grab(corner).toImage(), before);
     }
@@ -73,7 +73,7 @@ private slots:
             shown.window->workplace().showPage(Page::diagnosis);
             for (const char *name : {"diagnosisSummary", "chartNote"}) {
                 const auto *label = shown.find<ElidedLabel>(name);
-                QTRY_VERIFY_WITH_TIMEOUT(!label->text().isEmpty() && label->isVisible(), 60'000);
+                QTRY_VERIFY(!label->text().isEmpty() && label->isVisible());
                 QCOMPARE(label->shownText(), label->text());
             }
         }
@@ -83,7 +83,7 @@ private slots:
         const ShownWindow shown(examplePath("iso230-4-full-circles-xy"));
         auto &workplace = shown.window->workplace();
         workplace.showPage(Page::diagnosis);
-        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+        QTRY_VERIFY(isSyntheticDrawn(shown));
         auto *canvas = shown.window->findChild<CircleCanvas *>();
         const QString text = canvas->readOut({0, 0});
         QVERIFY(text.startsWith("XY"));
@@ -121,14 +121,14 @@ private slots:
     void anEditIsDiagnosedAnew() {
         const ShownWindow shown(examplePath("iso230-4-full-circles-xy"));
         shown.window->workplace().showPage(Page::diagnosis);
-        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+        QTRY_VERIFY(isSyntheticDrawn(shown));
         Document changed = *shown.window->model().document();
         palmer::Test test = *changed.tests[0];
         std::get<CircularMeasurement>(test.measurement).arcs[0].radialDeviations[10] += 1e-3;
         changed.tests[0] = std::make_shared<const palmer::Test>(std::move(test));
         shown.window->model().setDocument(std::move(changed), {});
         // The path of before belongs to another evaluation: not drawn until there is one of this.
-        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+        QTRY_VERIFY(isSyntheticDrawn(shown));
     }
 };
 

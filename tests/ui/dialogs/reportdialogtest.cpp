@@ -52,7 +52,7 @@ struct ShownDialog {
         dialog.show();
         compose();
     }
-    void compose() { QTRY_VERIFY_WITH_TIMEOUT(!dialog.isComposing(), 60000); }
+    void compose() { QTRY_VERIFY(!dialog.isComposing()); }
     void click(const char *name) {
         auto *button = dialog.findChild<QAbstractButton *>(QLatin1StringView(name));
         QVERIFY2(button, name);
@@ -63,7 +63,8 @@ struct ShownDialog {
     QStringList save(const QString &path) {
         QSignalSpy saved(&dialog, &ReportDialog::saved);
         dialog.saveTo(path);
-        return saved.count() > 0 || saved.wait(60000) ? saved.front().front().toStringList() : QStringList();
+        return saved.count() > 0 || saved.wait(patience) ? saved.front().front().toStringList()
+                                                         : QStringList();
     }
     ReportDialog dialog;
 };
@@ -97,7 +98,7 @@ void ReportDialogTest::beginsWithTheTestThatIsAskedFor() {
     ReportDialog dialog(window.window->model(), window.window->evaluator(), window.window);
     dialog.beginAt("test-2");
     dialog.show();
-    QTRY_VERIFY_WITH_TIMEOUT(!dialog.isSimulating() && dialog.pageCount() > 2, 60000);
+    QTRY_VERIFY(!dialog.isSimulating() && dialog.pageCount() > 2);
     const auto *area = dialog.findChild<QScrollArea *>("pages");
     const int page = area->widget()->height() / dialog.pageCount();
     QVERIFY2(area->verticalScrollBar()->value() > page, qPrintable(QString::number(page)));
@@ -134,7 +135,7 @@ void ReportDialogTest::doesNotSpeakTheLanguageOfTheWindow() {
     shown.click("reportEnglish");
     const QString first = folder.filePath(QStringLiteral("a.pdf")),
                   second = folder.filePath(QStringLiteral("b.pdf"));
-    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
+    QTRY_VERIFY(!shown.dialog.isSimulating());
     QVERIFY(!shown.save(first).isEmpty());
     setWindowLanguage(Language::Id::french);
     QTRY_COMPARE(shown.dialog.findChild<QAbstractButton *>(QStringLiteral("savePdf"))->text(),
@@ -174,11 +175,11 @@ void ReportDialogTest::aPageOfDiagnosisOnRequest() {
     const QTemporaryDir folder;
     const ShownWindow window(examplePath("iso230-4-full-circles-xy"));
     ShownDialog shown(window);
-    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
+    QTRY_VERIFY(!shown.dialog.isSimulating());
     const int pages = shown.dialog.pageCount();
     shown.click("extraDiagnosis");
     QVERIFY(window.window->model().document()->report.include.back() == ReportExtra::diagnosis);
-    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
+    QTRY_VERIFY(!shown.dialog.isSimulating());
     QVERIFY(shown.dialog.pageCount() > pages);
     const QString file = folder.filePath(QStringLiteral("a.pdf"));
     QVERIFY(!shown.save(file).isEmpty());
@@ -302,7 +303,7 @@ void ReportDialogTest::asksBeforeItReplacesAFile() {
         }
     });
     user.start(20);
-    QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog.isSimulating(), 60000);
+    QTRY_VERIFY(!shown.dialog.isSimulating());
     const auto content = [&] {
         QFile file(folder.filePath(existing));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -315,7 +316,7 @@ void ReportDialogTest::asksBeforeItReplacesAFile() {
     allow = true;
     shown.click("savePdf");
     QCOMPARE(asked, 2);
-    QTRY_VERIFY_WITH_TIMEOUT(content().startsWith("%PDF-"), 60000);
+    QTRY_VERIFY(content().startsWith("%PDF-"));
 }
 
 /// A report never takes the name of a test file.

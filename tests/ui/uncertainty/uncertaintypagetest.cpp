@@ -15,7 +15,6 @@
 #include "ui/theme.h"
 
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -119,7 +118,7 @@ struct Edited {
     }
     void simulate() {
         part<QPushButton>("simulate")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(evaluation().uncertainty.simulation, 60000);
+        QTRY_VERIFY(evaluation().uncertainty.simulation);
         QTRY_VERIFY(part<QPushButton>("simulate")->isVisible());
     }
 
@@ -326,7 +325,7 @@ private slots:
         QVERIFY(edited.part<QLabel>("distributionTitle")->text().contains(u"outdated"_s));
         QVERIFY(edited.part<QLabel>("decides")->text().startsWith(u"Grey"_s));
         edited.simulate();
-        QTRY_VERIFY_WITH_TIMEOUT(!edited.evaluation().uncertainty.outdated, 60000);
+        QTRY_VERIFY(!edited.evaluation().uncertainty.outdated);
         QVERIFY(isBold(decided));
     }
 
@@ -349,7 +348,7 @@ private slots:
         QVERIFY(edited.page.focusField(u"uncertainty"_s));
         QVERIFY(button->hasFocus());
         QTest::keyClick(button, Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(edited.evaluation().uncertainty.simulation, 60000);
+        QTRY_VERIFY(edited.evaluation().uncertainty.simulation);
         QVERIFY(!edited.part<LinkChip>("missingChip")->isVisible());
     }
 
@@ -458,12 +457,7 @@ private slots:
         QVERIFY(cancel->isVisible());
         QCOMPARE(QApplication::focusWidget(), cancel);
         QTest::qWait(100);
-        QElapsedTimer timer;
-        timer.start();
-        cancel->click();
-        const qint64 took = timer.elapsed();
-        QVERIFY2(took < 60'000,
-                 qPrintable(QString::number(took))); // of many minutes; 100 ms of an idle machine
+        cancel->click(); // at once; the simulation would take many minutes
         QTRY_VERIFY(edited.part<QPushButton>("simulate")->isVisible());
         QVERIFY(!edited.evaluation().uncertainty.simulation);
     }

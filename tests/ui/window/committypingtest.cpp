@@ -34,8 +34,6 @@ using namespace palmer::ui;
 
 namespace {
 
-constexpr int patience = 60000; ///< ms, of a busy machine
-
 /// One test of each kind.
 Document everyKind() {
     Document document;
@@ -264,16 +262,16 @@ private slots:
         Answers answers(name.startsWith("export") ? QString() : folder.filePath("other.palmer"));
         done.act(shown);
         if (done.closes) {
-            QTRY_VERIFY_WITH_TIMEOUT(!window || !window->isVisible(), patience);
+            QTRY_VERIFY(!window || !window->isVisible());
             QVERIFY(answers.asked.contains("closeBox")); // it is a change, and was asked about
         } else {
-            QTRY_VERIFY_WITH_TIMEOUT(!QApplication::activeModalWidget(), patience);
+            QTRY_VERIFY(!QApplication::activeModalWidget());
             QVERIFY(typed.isTaken(*window->model().document()));
         }
         if (done.saves) {
             const bool other = name == "Save as";
             const QString file = other ? folder.filePath("other.palmer") : path;
-            QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), patience);
+            QTRY_VERIFY(QFile::exists(file));
             QVERIFY(typed.isTaken(openDocument(file)));
         }
     }
@@ -366,10 +364,9 @@ private:
         shown.window->workplace().showPage(place.page);
         if (place.row >= 0) {
             auto *table = shown.find<QTableView>(place.widget);
-            QTRY_VERIFY_WITH_TIMEOUT(table->isVisible(),
-                                     patience); // a page that was shown just now has its places later
+            QTRY_VERIFY(table->isVisible()); // a page that was shown just now has its places later
             table->setFocus();
-            QTRY_VERIFY_WITH_TIMEOUT(table->hasFocus(), patience);
+            QTRY_VERIFY(table->hasFocus());
             table->setCurrentIndex(table->model()->index(place.row, place.column));
         } else {
             QLineEdit *edit = field(shown, place);

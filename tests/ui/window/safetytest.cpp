@@ -253,7 +253,6 @@ private slots:
         shown.window->autosave().setDelay(200);
         QSignalSpy kept(&shown.window->autosave(), &Autosave::saved);
         QElapsedTimer time;
-        constexpr int patience = 60'000;
         for (time.start(); kept.count() < 3 && time.elapsed() < patience; QTest::qWait(5))
             rename(shown.window->model(), QString::number(time.elapsed()));
         QVERIFY2(kept.count() >= 3, qPrintable(QString::number(kept.count())));
@@ -522,7 +521,7 @@ private slots:
                       {"--wait", path, "0", QCoreApplication::applicationName()});
         QVERIFY(process.waitForStarted());
         QByteArray output;
-        while (!output.contains("ready") && process.waitForReadyRead(20'000))
+        while (!output.contains("ready") && process.waitForReadyRead(patience))
             output += process.readAllStandardOutput();
         QCOMPARE(copies(), 0);
         ::kill(static_cast<pid_t>(process.processId()), number);
@@ -609,7 +608,7 @@ private slots:
             QByteArray output;
             // Some are killed at the beginning, perhaps before there is a copy.
             const QByteArray awaited = round % 5 == 0 ? "ready" : "kept ";
-            while (!output.contains(awaited) && process.waitForReadyRead(20'000))
+            while (!output.contains(awaited) && process.waitForReadyRead(patience))
                 output += process.readAllStandardOutput();
             QTest::qWait(static_cast<int>(random() % 120));
             process.kill(); // SIGKILL

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/readdocument.h"
+#include "patience.h"
 #include "print/pdf/writepdf.h"
 #include "report/composereport.h"
 
@@ -57,7 +58,7 @@ inline QByteArray run(const QString &program, const QStringList &arguments, cons
     process.start(program, arguments);
     process.write(pdf);
     process.closeWriteChannel();
-    if (!process.waitForFinished(60000) || process.exitCode() != 0)
+    if (!process.waitForFinished(patience) || process.exitCode() != 0)
         qFatal("%s failed: %s", qPrintable(program), process.readAllStandardError().constData());
     return process.readAllStandardOutput();
 }

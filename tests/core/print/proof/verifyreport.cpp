@@ -54,7 +54,7 @@ QByteArray contents(const QString &path) {
 bool runs(const QString &program, const QStringList &arguments) {
     QProcess process;
     process.start(program, arguments);
-    return process.waitForFinished(60'000) && process.exitStatus() == QProcess::NormalExit &&
+    return process.waitForFinished(patience) && process.exitStatus() == QProcess::NormalExit &&
            process.exitCode() == 0;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/print/proof/forgery.h"
 #include "document/readdocument.h"
+#include "patience.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -274,7 +275,7 @@ QByteArray damaged(QByteArray bytes, Random &random) {
 QByteArray output(const QString &program, const QStringList &arguments) {
     QProcess process;
     process.start(program, arguments);
-    process.waitForFinished(60'000);
+    process.waitForFinished(patience);
     return process.readAllStandardOutput();
 }
 
