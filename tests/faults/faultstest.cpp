@@ -77,6 +77,7 @@ public:
         all.insert("FAULT_AT", QString::number(faultAt));
         all.insert("FAULT_KIND", kind);
         all.insert("LD_PRELOAD", FAULTS);
+        all.insert("ASAN_OPTIONS", "verify_asan_link_order=0"); // where it is preloaded before the sanitizer
         QProcess process;
         process.setProcessEnvironment(all);
         process.setWorkingDirectory(path());

@@ -89,7 +89,7 @@ private slots:
     /// Shown once more, as after a change of the language, it offers what it offered.
     void shownAgainItOffersTheSame() {
         const Compared c;
-        QTRY_COMPARE_WITH_TIMEOUT(c.cell(0, 0), QString("A"), compares);
+        QTRY_COMPARE(c.cell(0, 0), QString("A"));
         c.page->show(c.shown.window->evaluator().current(), 1);
         auto *other = c.shown.find<QComboBox>("comparedWith");
         for (const int row : {0, 1}) {
@@ -103,13 +103,13 @@ private slots:
     /// What is seen is never the comparison of another test.
     void anotherTestDoesNotShowTheComparisonOfTheLast() {
         const Compared c;
-        QTRY_COMPARE_WITH_TIMEOUT(c.cell(0, 0), QString("A"), compares);
+        QTRY_COMPARE(c.cell(0, 0), QString("A"));
         c.page->show(c.shown.window->evaluator().current(), 0); // states none
         QVERIFY(!c.parameters->isVisible());
         c.page->show(c.shown.window->evaluator().current(), 1);
         QVERIFY(!c.parameters->isVisible());
         QVERIFY(c.shown.find<QLabel>("comparisonReason")->text().contains("being compared"));
-        QTRY_VERIFY_WITH_TIMEOUT(c.parameters->isVisible(), compares);
+        QTRY_VERIFY(c.parameters->isVisible());
     }
 
     void aTestOfAnotherFileIsNotStated() {
