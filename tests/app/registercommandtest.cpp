@@ -565,15 +565,15 @@ void RegisterCommandTest::aHistoryProvesItself() {
     const QString data = m_dir->filePath("history.json");
     QCOMPARE(reg({"report", "--machine", "000-001", "--language", "fr", "-o", pdf}).code, 0);
     const CliResult verified = runCli({"verify", pdf, "--language", "en"});
-    QVERIFY2(verified.code == 0 && verified.output.contains("The trend follows from the attached values"),
-             verified.output + verified.error);
+    QVERIFY2(verified.code == 0 && verified.out.contains("The trend follows from the attached values"),
+             verified.out + verified.err);
     QCOMPARE(runCli({"verify", pdf, "--extract", data}).code, 0);
     const QJsonObject history = QJsonDocument::fromJson(contents(data)).object();
     QCOMPARE(history["format"].toString(), QString("palmer history"));
     QVERIFY(history["tests"].toArray().size() > 5);
     QVERIFY2(!contents(data).contains(m_dir->path().toUtf8()), "no folder of this machine goes out");
     const CliResult opened = runCli({"evaluate", pdf});
-    QVERIFY2(opened.code == 3 && opened.error.contains("history of a machine"), opened.error);
+    QVERIFY2(opened.code == 3 && opened.err.contains("history of a machine"), opened.err);
 }
 
 /// Above every trend stands the quantity that exceeds its limit now, with value, U and limit.

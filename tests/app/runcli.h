@@ -19,7 +19,7 @@ struct CliResult {
 };
 
 /// Runs the program without a display, in the locale C unless `environment` says otherwise; ends the test
-/// when it crashes or takes longer than a minute.
+/// when it crashes or does not end.
 inline CliResult runCli(const QStringList &arguments, const QByteArray &input = {},
                         const std::map<QString, QString> &environment = {}) {
     QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
