@@ -176,7 +176,7 @@ void VerifyReport::theFingerprintOnThePagesIsCompared() {
     const Verification result = verified(forged);
     QVERIFY(!result.follows());
     QVERIFY(!result.fingerprintPrinted);
-    QVERIFY(english(result).contains(u"not that of the attached test file"_s));
+    QVERIFY(english(result).contains(u"not that of the attached file"_s));
     QCOMPARE(result.fingerprint, fingerprint(attachedFile(*other.document)));
 }
 
