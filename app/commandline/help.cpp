@@ -163,9 +163,9 @@ QString commandHelp(const Command &command, const Language &language, const QStr
     const QString arguments = part.isEmpty() ? QString::fromUtf8(command.arguments).trimmed() : part;
     return paragraph(QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) +
                      QStringLiteral(" [OPTION]… ") + arguments) +
-           u'\n' + paragraph(language.text(command.description)) + u'\n' +
-           inColumns(options, textColumns()) + u'\n' + language.text(REPORT_TEXT("report", "Examples")) +
-           u'\n' + examples + u'\n' + language.text(REPORT_TEXT("report", "Exit codes")) + u'\n' +
+           u'\n' + paragraph(language.text(command.description)) + u'\n' + inColumns(options, textColumns()) +
+           u'\n' + language.text(REPORT_TEXT("report", "Examples")) + u'\n' + examples + u'\n' +
+           language.text(REPORT_TEXT("report", "Exit codes")) + u'\n' +
            inColumns(exitRows(language, &command), textColumns());
 }
 

@@ -318,7 +318,10 @@ const std::vector<Part> &parts() {
           "decimal-mark", "json", "since-last", "files"},
          0,
          runList},
-        {"trend", {"machine", "axis", "parameter", "edition", "since-last", "json", "o", "force"}, 0, runRegisterTrend},
+        {"trend",
+         {"machine", "axis", "parameter", "edition", "since-last", "json", "o", "force"},
+         0,
+         runRegisterTrend},
         {"report", {"machine", "number", "o", "force"}, 0, runRegisterReport},
         {"type",
          {"type", "parameter", "axis", "edition", "content", "confidence", "distribution", "json", "o",
@@ -347,10 +350,10 @@ int runRegister(const Invocation &invocation) {
         std::ranges::find_if(parts(), [&](const Part &one) { return word == QLatin1StringView(one.name); });
     if (part == parts().end()) {
         const QStringList known = partsOf(registerCommand());
-        throw UsageError({REPORT_TEXT("report", "%1 does not know “%2”; it knows: %3"),
-                          {std::string("register"), word.toStdString(),
-                           known.join(QStringLiteral(", ")).toStdString()}},
-                         word, known);
+        throw UsageError(
+            {REPORT_TEXT("report", "%1 does not know “%2”; it knows: %3"),
+             {std::string("register"), word.toStdString(), known.join(QStringLiteral(", ")).toStdString()}},
+            word, known);
     }
     for (const auto &[name, value] : invocation.options) {
         if (!takes(word, *findOption(registerOptions, name)))

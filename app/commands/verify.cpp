@@ -62,7 +62,8 @@ int extract(const Invocation &invocation, const QString &output) {
     requireOutput(invocation, output, {"palmer", "json"});
     const QString file = invocation.arguments.front();
     return codeOf(file, invocation.language, [&] {
-        return written(invocation, {{readReportPdf(reportFrom(file), Carried::testFileOrHistory).testFile, output}});
+        return written(invocation,
+                       {{readReportPdf(reportFrom(file), Carried::testFileOrHistory).testFile, output}});
     });
 }
 

@@ -184,7 +184,7 @@ Json ownResults(const CircularMeasurement & /*measurement*/, const CircularResul
             {"correction", number(results.correction)}};
 }
 
-/// What the drift that a test takes explains of its U, and what another one would make of it; null: none.
+/// The share of U that the drift of a test explains, and what another one would make of it; null: none.
 Json driftOf(const EvaluatedDocument &evaluated, std::size_t index) {
     const DriftCases explained = driftCases(evaluated, index);
     const auto steady = std::ranges::find(explained.cases, DriftCase::none, &DriftCase::kind);

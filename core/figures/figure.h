@@ -375,7 +375,7 @@ struct TrendIntervention {
     bool operator==(const TrendIntervention &) const = default;
 };
 
-/// What the legend of trends explains.
+/// Signs that the legend of trends explains.
 enum class TrendSign { asFound, asLeft, otherSeries, limit, line, intervention, noRole };
 
 struct TrendLegendEntry {

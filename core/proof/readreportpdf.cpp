@@ -93,8 +93,9 @@ ReportPdf readReportPdf(const QByteArray &pdf, Carried carried) {
         refuseForeign();
     if (result.isHistory && carried == Carried::testFile)
         refuse(Error::Kind::content,
-               REPORT_TEXT("report", "this PDF is the history of a machine: it carries the values of its tests and "
-                                     "no test file; verify it, or open the tests it names"));
+               REPORT_TEXT("report",
+                           "this PDF is the history of a machine: it carries the values of its tests and "
+                           "no test file; verify it, or open the tests it names"));
     if (testFiles > 1)
         refuse(Error::Kind::content,
                REPORT_TEXT("report", "this PDF carries more than one test file, and which of them the report "

@@ -24,7 +24,7 @@ struct SignatureField {
 /// The parts of a report of this program: its last revision, if something was appended.
 struct ReportPdf {
     ReportMetadata metadata; ///< as read by readXmp()
-    QByteArray testFile; ///< or the data of a printed history
+    QByteArray testFile;     ///< or the data of a printed history
     QString testFileName;
     bool isHistory = false; ///< carries history.json instead of a test file
     QByteArray results;     ///< results.json; may be empty
@@ -43,7 +43,7 @@ inline constexpr qint64 mostUnpacked = qint64(1) << 29;
 /// True for a PDF of another program: readable, but not marked as made by Palmer.
 [[nodiscard]] bool isForeignPdf(const QByteArray &pdf);
 
-/// What a PDF of Palmer has to carry.
+/// Attachments that a PDF of Palmer has to carry.
 enum class Carried { testFile, testFileOrHistory };
 
 /// Takes a report apart, with bounded memory for any input. Throws Error if the PDF is damaged, encrypted,

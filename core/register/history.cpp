@@ -91,9 +91,8 @@ public:
         report.blocks.emplace_back(EndMark{text(REPORT_TEXT("report", "End of the history"))});
         report.footerLeft =
             number.isEmpty() ? title : say(REPORT_TEXT("report", "History %1"), {number.toStdString()});
-        report.footerCentre =
-            say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"),
-                {shortFingerprint(report.fingerprint).toStdString()});
+        report.footerCentre = say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"),
+                                  {shortFingerprint(report.fingerprint).toStdString()});
         report.footerRight = text(REPORT_TEXT("report", "page %1 / %2"));
         return report;
     }

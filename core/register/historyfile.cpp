@@ -19,7 +19,8 @@ namespace {
 template <class T, class Of>
 concept Same = std::same_as<std::remove_const_t<T>, Of>;
 
-// What is written and read is said once: each calls `member` with the key and the variable of each member.
+// Writer and reader have one list of members: each calls `member` with the key and the variable of each
+// member.
 
 void eachMember(auto member, Same<SharedPart> auto &part) {
     member("source", part.source);
@@ -101,7 +102,9 @@ void eachMember(auto member, Same<History> auto &history) {
 }
 
 template <class T>
-concept Object = requires(T &value) { eachMember([](const char *, auto &) {}, value); };
+concept Object = requires(T &value) {
+    eachMember([](const char *, auto &) {}, value);
+};
 
 template <class T>
 concept Word = std::is_enum_v<T>;
@@ -143,8 +146,9 @@ Json valueOf(const Object auto &object) {
 }
 
 [[noreturn]] void refuse() {
-    throw Error(Error::Kind::format,
-                {REPORT_TEXT("report", "these are no data of a printed history, or a newer program wrote them"), {}});
+    throw Error(
+        Error::Kind::format,
+        {REPORT_TEXT("report", "these are no data of a printed history, or a newer program wrote them"), {}});
 }
 
 using Read = nlohmann::json;
@@ -198,15 +202,17 @@ void take(const Read &json, Object auto &object) {
     eachMember([&json](const char *key, auto &value) { take(json.at(key), value); }, object);
 }
 
-/// What the register never writes, and nobody reading it expects.
+/// False for what the register never writes and no reader expects.
 bool isPossible(const ListedTest &listed) {
     constexpr std::size_t mostParts = 32; // bits of RegisteredResult::shared
     constexpr int mostDecimals = 17;
     const RegisteredTest &test = listed.test;
-    const bool dated = !test.date || QDate::fromString(QString::fromStdString(*test.date), Qt::ISODate).isValid();
+    const bool dated =
+        !test.date || QDate::fromString(QString::fromStdString(*test.date), Qt::ISODate).isValid();
     return dated && !listed.places.empty() && test.parts.size() <= mostParts &&
            std::ranges::all_of(test.results, [](const RegisteredResult &result) {
-               return std::max(result.decimals.value_or(0), result.uncertaintyDecimals.value_or(0)) <= mostDecimals;
+               return std::max(result.decimals.value_or(0), result.uncertaintyDecimals.value_or(0)) <=
+                      mostDecimals;
            });
 }
 
@@ -233,7 +239,8 @@ History historyFrom(const QByteArray &json) {
     } catch (const Read::exception &) { // a key is missing or of another type
         refuse();
     }
-    if (!std::ranges::all_of(history.tests, isPossible) || history.machine.months.value_or(0) > longestInterval)
+    if (!std::ranges::all_of(history.tests, isPossible) ||
+        history.machine.months.value_or(0) > longestInterval)
         refuse();
     return history;
 }

@@ -8,8 +8,8 @@
 
 namespace palmer {
 
-/// Returns the data of a printed history, "palmer history": all that composeHistory() uses, with the values, U,
-/// dates and fingerprints of the tests; of their files only the names.
+/// Returns the data of a printed history, "palmer history": all that composeHistory() uses, with the values,
+/// U, dates and fingerprints of the tests; of their files only the names.
 [[nodiscard]] QByteArray historyJson(const History &history);
 
 /// Reads them. Throws Error: no such file, or a value that no register writes.

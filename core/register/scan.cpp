@@ -51,7 +51,8 @@ KnownSource sourceOf(const ListedFile &file, SourceState state) {
     return source;
 }
 
-/// Returns the document of a test file or a report; null for a history or a PDF of another program. Throws Error.
+/// Returns the document of a test file or a report; null for a history or a PDF of another program. Throws
+/// Error.
 std::optional<Document> documentIn(const QByteArray &bytes) {
     if (!isPdf(bytes))
         return readDocument(bytes);

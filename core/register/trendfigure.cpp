@@ -267,18 +267,19 @@ std::vector<TrendLegendEntry> trendLegend(const Language &language, const std::v
         Possible{TrendSign::asLeft, REPORT_TEXT("report", "as left"), hasRole(TestRole::asLeft)},
         Possible{TrendSign::noRole, REPORT_TEXT("report", "role not stated"), hasRole(TestRole::notStated)},
         Possible{TrendSign::otherSeries, REPORT_TEXT("report", "another series, not joined"),
-            inAny([](const MachineTrend &trend) { return trend.series.size() > 1; })},
+                 inAny([](const MachineTrend &trend) { return trend.series.size() > 1; })},
         Possible{TrendSign::limit, REPORT_TEXT("report", "agreed limit"),
-            inAny([](const MachineTrend &trend) {
-                return std::ranges::any_of(trend.series, [](const TrendSeries &series) {
-                    return std::ranges::any_of(
-                        series.entries, [](const TrendEntry &entry) { return entry.result.limit.has_value(); });
-                });
-            })},
+                 inAny([](const MachineTrend &trend) {
+                     return std::ranges::any_of(trend.series, [](const TrendSeries &series) {
+                         return std::ranges::any_of(series.entries, [](const TrendEntry &entry) {
+                             return entry.result.limit.has_value();
+                         });
+                     });
+                 })},
         Possible{TrendSign::line, REPORT_TEXT("report", "line, bounds of 95 %"),
-            inAny([](const MachineTrend &trend) { return trend.line && trend.line->isShown(); })},
+                 inAny([](const MachineTrend &trend) { return trend.line && trend.line->isShown(); })},
         Possible{TrendSign::intervention, REPORT_TEXT("report", "intervention"),
-            inAny([](const MachineTrend &trend) { return !trend.interventions.empty(); })}};
+                 inAny([](const MachineTrend &trend) { return !trend.interventions.empty(); })}};
     std::vector<TrendLegendEntry> legend;
     for (const Possible &row : rows) {
         if (row.occurs)

@@ -33,7 +33,7 @@ struct TrendSpan {
 
 /// Returns the legend of the signs that occur in these trends.
 [[nodiscard]] std::vector<TrendLegendEntry> trendLegend(const Language &language,
-                                               const std::vector<MachineTrend> &trends);
+                                                        const std::vector<MachineTrend> &trends);
 
 /// Converts a date to a calendar year: 2024.29.
 [[nodiscard]] double calendarYear(const QDate &date);

@@ -258,7 +258,7 @@ Json lineJson(const MachineTrend &trend) {
             {"withoutParts", trend.withoutParts}};
 }
 
-/// What has changed since the last test; null: not asked for, or not compared.
+/// Changes since the last test; null: not asked for, or not compared.
 Json sinceLastJson(const TrendEntry &entry, const std::string &parameter) {
     const ComparedParameter *change = entry.sinceLast ? changeOf(*entry.sinceLast, parameter) : nullptr;
     if (!change)

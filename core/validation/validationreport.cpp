@@ -223,9 +223,9 @@ Report composeValidation(const std::vector<SetValidation> &sets, const Language 
     report.blocks.emplace_back(Heading{2, language.text(REPORT_TEXT("report", "Origin of the data"))});
     KeyValues origins{{}, labelWidth};
     for (const SetValidation &set : sets)
-        origins.rows.push_back({set.name.at(language.code()),
-                                set.origin.at(language.code()) + QStringLiteral("\nSHA-256 ") +
-                                    QString::fromStdString(sha256(set.file))});
+        origins.rows.push_back({set.name.at(language.code()), set.origin.at(language.code()) +
+                                                                  QStringLiteral("\nSHA-256 ") +
+                                                                  QString::fromStdString(sha256(set.file))});
     report.blocks.emplace_back(std::move(origins));
     return report;
 }

@@ -46,10 +46,9 @@ void ReadmeTest::everyCommandDoesWhatItSays() {
         QVERIFY2(process.exitCode() <= 1, qPrintable(line + '\n' + QString::fromUtf8(errors)));
     }
     QVERIFY(commands > 15);
-    for (const char *written :
-         {"report.fr.pdf", "report.en.pdf", "deviation.svg", "x-axis.pdf", "laser.palmer",
-          "reports/rotary-axis.pdf", "figures/rotary-axis.svg", "history.pdf", "certificate.xml",
-          "certificate.pdf"})
+    for (const char *written : {"report.fr.pdf", "report.en.pdf", "deviation.svg", "x-axis.pdf",
+                                "laser.palmer", "reports/rotary-axis.pdf", "figures/rotary-axis.svg",
+                                "history.pdf", "certificate.xml", "certificate.pdf"})
         QVERIFY2(QFile::exists(folder.filePath(written)), written);
 }
 

@@ -759,7 +759,7 @@ private:
             one.test = entries[i];
             one.places = {
                 {file, static_cast<int>(i) + 1, {}, QString::fromStdString(document().report.number)}};
-            list += listedTestCsv(one).replace(",,\n", "\n");
+            list += listedTestCsv(one).replace(",,,,,,\n", "\n"); // due, and since the last test
         }
         const QByteArray table = summaryCsv(
             summaryRows(m_followed.evaluated, file, SummaryForm::csv, Language(Language::Id::english)));

@@ -113,9 +113,8 @@ void ComparisonView::paintEvent(QPaintEvent *) {
         const QColor colour = token(style.colour, palette());
         // Both senses of a circular test have its colour and are as heavy and light as on the page.
         const double width =
-            curve.sense
-                ? figurePen(pathRole(*curve.sense), Medium::screenLight).widthF() / pointsPerPixel
-                : meanLine;
+            curve.sense ? figurePen(pathRole(*curve.sense), Medium::screenLight).widthF() / pointsPerPixel
+                        : meanLine;
         const QPen pen(colour, width, curve.sense ? Qt::SolidLine : style.dashes);
         for (const auto &line : curve.lines) {
             QPolygonF points;

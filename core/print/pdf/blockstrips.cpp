@@ -166,9 +166,8 @@ Strips headingStrips(const Heading &heading, double width) {
     const TextBlock title(heading.text, style, width);
     const double noteLeft = title.width() + noteGap;
     const TextStyle beside =
-        fitted(noteStyle, smallestOfOneLine, width - noteLeft, [&](const TextStyle &tried) {
-            return TextBlock(richText(heading.note), tried).width();
-        });
+        fitted(noteStyle, smallestOfOneLine, width - noteLeft,
+               [&](const TextStyle &tried) { return TextBlock(richText(heading.note), tried).width(); });
     const TextBlock wholeNote(richText(heading.note), beside);
     Strip result;
     const bool fits =
@@ -601,7 +600,7 @@ private:
     }
 
     [[nodiscard]] double neededBy(const SignatureLine &line, const Line &made) const {
-        const double empty = line.forSignature      ? signatureHeight
+        const double empty = line.forSignature     ? signatureHeight
                              : m_signatures.narrow ? narrowLine
                                                    : lineHeight;
         return (line.height > 0 ? line.height * mm : empty) + made.more();

@@ -196,9 +196,8 @@ double beginningOf(const Cell &cell, const Place &place) {
 PlacedText narrowText(const Cell &cell, const Place &place, double room) {
     constexpr double smallest = 7;
     const RichText text = richText(cell.text, cell.bold);
-    TextStyle style = fitted(cellStyle, smallest, room, [&](const TextStyle &tried) {
-        return TextBlock(text, tried).width();
-    });
+    TextStyle style = fitted(cellStyle, smallest, room,
+                             [&](const TextStyle &tried) { return TextBlock(text, tried).width(); });
     style.leading *= cellStyle.size / style.size;
     return {TextBlock(text, style, room), place.left, room, TextAlignment::left};
 }

@@ -93,8 +93,8 @@ private:
 /// Width of a text on one line, points.
 [[nodiscard]] double textWidth(const QString &text, const TextStyle &style);
 
-/// The style at the largest size down to `smallest`, in tenths, at which `width(style)` is at most `room`. Widths
-/// are taken as nearly proportional: each size that is tried loads a font.
+/// The style at the largest size down to `smallest`, in tenths, at which `width(style)` is at most `room`.
+/// Widths are taken as nearly proportional: each size that is tried loads a font.
 template <class Width>
 [[nodiscard]] TextStyle fitted(TextStyle style, double smallest, double room, Width width) {
     constexpr double step = 0.1;

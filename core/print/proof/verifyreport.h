@@ -13,7 +13,8 @@
 
 namespace palmer {
 
-/// A report or history that was read: the PDF, its parts, and its evaluated test file; without one for a history.
+/// A report or history that was read: the PDF, its parts, and its evaluated test file; without one for a
+/// history.
 struct OpenedReport {
     QByteArray pdf;
     ReportPdf parts;
@@ -29,10 +30,10 @@ openReport(const QByteArray &pdf, int threads = 0, const std::stop_token &stop =
 /// Composes a printed history again from the data in its PDF: composeHistoryFile() of the register.
 using HistoryComposer = Report (*)(const QByteArray &data, const Language &language);
 
-/// Composes the report again from its test file, or the history from its data, in its language, and compares: the bytes of the PDF, the
-/// words and appearance of each page, the results; lists the signatures. Does not prove the origin of the
-/// data. Runs on the GUI thread; throws Error if the pages or the data of a history cannot be read. `history`
-/// is needed for histories.
+/// Composes the report again from its test file, or the history from its data, in its language, and compares:
+/// the bytes of the PDF, the words and appearance of each page, the results; lists the signatures. Does not
+/// prove the origin of the data. Runs on the GUI thread; throws Error if the pages or the data of a history
+/// cannot be read. `history` is needed for histories.
 [[nodiscard]] Verification verifyReport(const OpenedReport &report, HistoryComposer history = nullptr);
 
 } // namespace palmer

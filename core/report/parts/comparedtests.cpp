@@ -408,7 +408,7 @@ Text meaningOfWords(const TestComparison &comparison) {
                        "changed.");
 }
 
-/// What makes U, each alone; empty without a simulation.
+/// The parts of U, each alone; empty without a simulation.
 QString partsOfUncertainty(const TestComparison &comparison, const Writer &write) {
     QStringList parts;
     const std::vector<ComparedWords> words = comparedWords(comparison, write.language());

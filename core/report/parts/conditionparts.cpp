@@ -215,8 +215,9 @@ void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions
 void addPurpose(ConditionRows &rows, const TestPart &part) {
     const Text role = roleText(part.test.role);
     const Text purpose = purposeText(part.test.purpose);
-    rows.addStated(statedThing("purpose")->name, joined({purpose.empty() ? QString() : part.write.text(purpose),
-                                                         role.empty() ? QString() : part.write.text(role)}));
+    rows.addStated(statedThing("purpose")->name,
+                   joined({purpose.empty() ? QString() : part.write.text(purpose),
+                           role.empty() ? QString() : part.write.text(role)}));
     rows.addStated(REPORT_TEXT("report", "Duration of the test"),
                    part.test.duration
                        ? part.write.language().number(certain(*part.test.duration), Quantity::number, -1) +
@@ -231,7 +232,8 @@ void addPurpose(ConditionRows &rows, const TestPart &part) {
 
 void addThermalPreparation(ConditionRows &rows, const Writer &write, const Conditions &conditions) {
     rows.addIfAsked("temperatureControlled", REPORT_TEXT("report", "Room temperature"),
-                    stated(write, conditions.temperatureControlled, REPORT_TEXT("report", "can be controlled"),
+                    stated(write, conditions.temperatureControlled,
+                           REPORT_TEXT("report", "can be controlled"),
                            REPORT_TEXT("report", "cannot be controlled")));
     rows.addIfAsked("stabilised", REPORT_TEXT("report", "Before the test"),
                     stated(write, conditions.stabilised,

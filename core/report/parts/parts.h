@@ -180,7 +180,8 @@ void addConditions(std::vector<Block> &blocks, const PositioningPart &part);
 /// The same for a circular test, without the parameters printed next to its figure.
 void addConditions(std::vector<Block> &blocks, const CircularPart &part);
 
-/// Adds the conditions that neither edition nor practice ask for, which a certificate with an annex leaves out.
+/// Adds the conditions that neither edition nor practice ask for, which a certificate with an annex leaves
+/// out.
 void addFurtherConditions(std::vector<Block> &blocks, const TestPart &part);
 
 /// Adds the points to be agreed between supplier/manufacturer and user, each with its state.

@@ -8,7 +8,7 @@ namespace palmer::testdata {
 
 /// A test as the register lists it, without a file.
 inline ListedTest made(const std::string &date, double value, Purpose purpose = Purpose::periodic,
-                TestRole role = TestRole::asFound) {
+                       TestRole role = TestRole::asFound) {
     static int next = 0;
     ListedTest listed;
     listed.id = ++next;

@@ -15,7 +15,8 @@ constexpr double dotsPerInch = 30;
 constexpr double dotsPerMillimetre = dotsPerInch / 25.4;
 constexpr double topMargin = 15; // mm, as those below
 constexpr double bottomMargin = 18;
-constexpr double mostBlank = 0.35; ///< of a page with results: a third, or more where a certificate is set closer
+constexpr double mostBlank =
+    0.35; ///< of a page with results: a third, or more where a certificate is set closer
 
 /// The page, from 0, on which a text stands; −1: on none.
 qsizetype pageOf(const QString &text, const QStringList &pages, qsizetype from = 0) {
@@ -193,8 +194,8 @@ void FirstPageTest::aTestOf11TargetsHasFourPages() {
 
 void FirstPageTest::certificatesHaveTwoPages_data() {
     QTest::addColumn<Language::Id>("language");
-    for (const QString &name : {u"iso230-2-1988-example"_s, u"rotary-axis"_s, u"iso230-4-full-circles-xy"_s, u"iso230-4-partial-arc-zx"_s,
-                                u"iso230-4-feedback-yz"_s}) {
+    for (const QString &name : {u"iso230-2-1988-example"_s, u"rotary-axis"_s, u"iso230-4-full-circles-xy"_s,
+                                u"iso230-4-partial-arc-zx"_s, u"iso230-4-feedback-yz"_s}) {
         QTest::newRow(qPrintable(name + u", English"_s)) << Language::Id::english;
         QTest::newRow(qPrintable(name + u", French"_s)) << Language::Id::french;
     }
@@ -203,15 +204,14 @@ void FirstPageTest::certificatesHaveTwoPages_data() {
 /// On A4; on the shorter paper three pages at most.
 void FirstPageTest::certificatesHaveTwoPages() {
     QFETCH(const Language::Id, language);
-    Document document =
-        storedDocument(QString::fromUtf8(QTest::currentDataTag()).section(u',', 0, 0));
+    Document document = storedDocument(QString::fromUtf8(QTest::currentDataTag()).section(u',', 0, 0));
     const QString end =
         squeezed(language == Language::Id::french ? u"Fin du certificat"_s : u"End of the certificate"_s);
     for (const Paper paper : {Paper::a4, Paper::letter}) {
         document.report.paper = paper;
         const QStringList pages = pageTexts(pdfOf(reportOf(document, language)));
-        const auto found = std::ranges::find_if(
-            pages, [&](const QString &page) { return squeezed(page).contains(end); });
+        const auto found =
+            std::ranges::find_if(pages, [&](const QString &page) { return squeezed(page).contains(end); });
         const auto count = found - pages.begin() + 1;
         QVERIFY2(count <= (paper == Paper::a4 ? 2 : 3), qPrintable(QString::number(count)));
     }
