@@ -56,7 +56,7 @@ bool readForm(const std::string &line, FileNotes &notes) {
         QStringLiteral(
             R"(\b(?:scal(?:e factor|ing)|multipl\w*|fa[ck]t(?:or|eur|eurs|oren)|fattore|tenths?|zehntel|)"
             R"(dixi[eè]mes?|hundredths?|hundertstel|centi[eè]mes?|thousandths?|tausendstel|)"
-            R"(milli[eè]mes?)\b|\b[x×]\s?10{1,3}\b)"),
+            R"(milli[eè]mes?)\b|(?<!\w)(?<!\d\s)[x×]\s?10{1,3}\b)"),
         QRegularExpression::CaseInsensitiveOption);
     static const QRegularExpression behindIn(QStringLiteral(R"(\b(?:in|en)\s+\S+(?:\s\S+)?$)"));
     static const QRegularExpression sign(

@@ -334,7 +334,8 @@ private slots:
         }
         for (const QByteArray line :
              {"Unit: mm\n", "Unit: µm\n", "Unit;mm\n", "Coverage factor k = 2\n", "Expansion factor 11.7\n",
-              "Facteur d'élargissement : 2\n", "Erweiterungsfaktor k=2\n"})
+              "Table 500 x 1000 mm\n", "Grid: 100x100\n", "Points 5 × 10\n", "Facteur d'élargissement : 2\n",
+              "Erweiterungsfaktor k=2\n"})
             QVERIFY2(!gradeOf(importMeasurement(line + table, "x.csv"), "unit"), line.constData());
     }
 
