@@ -3984,6 +3984,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>&amp;Évaluer tout sous…</translation>
     </message>
     <message>
+        <source>&amp;Sort by</source>
+        <translation>&amp;Trier par</translation>
+    </message>
+    <message>
         <source>&amp;Folders…</source>
         <translation>&amp;Dossiers…</translation>
     </message>

@@ -125,6 +125,7 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
     m_choose->setFixedWidth(208);
     m_choose->setProperty("large", true);
     m_choose->setDefault(true);
+    setFocusProxy(m_choose);
     connect(m_choose, &QPushButton::clicked, this, &RegisterFirstUse::folderWanted);
     auto *rule = new QFrame;
     rule->setProperty("rule", true);

@@ -74,6 +74,11 @@ void MachineHead::fillIntervals(QMenu &menu) {
         action->setChecked(i == m_interval->currentIndex());
         action->setEnabled(m_interval->isEnabled());
     }
+    if (!m_due->isVisible())
+        return;
+    menu.addSeparator(); // the tooltip needs a pointer
+    for (const QString &line : m_due->toolTip().split(u'\n'))
+        menu.addAction(line)->setEnabled(false);
 }
 
 } // namespace palmer::ui

@@ -62,7 +62,7 @@ class MachineDelegate : public RowDelegate {
 
 public:
     explicit MachineDelegate(QObject *parent)
-        : RowDelegate(parent, selectedBar) {}
+        : RowDelegate(parent, selectedBar | focusFrame) {}
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
 

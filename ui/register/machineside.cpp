@@ -6,6 +6,7 @@
 #include "ui/measures.h"
 
 #include <QButtonGroup>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -20,6 +21,10 @@ MachineSide::MachineSide() {
 
 QLayout *MachineSide::makeHead() {
     m_search->setClearButtonEnabled(true);
+    m_search->setEnabled(false); // until there is a machine
+    for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Return, Qt::Key_Enter})
+        new QShortcut(
+            key, m_search, m_list, [this] { m_list->setFocus(Qt::ShortcutFocusReason); }, Qt::WidgetShortcut);
     m_search->addAction(lineIcon(QStringLiteral("search"), QPalette::PlaceholderText),
                         QLineEdit::LeadingPosition);
     auto *choice = new QButtonGroup(this);
@@ -42,6 +47,8 @@ void MachineSide::makeList() {
     m_list->setMinimumHeight(0);
     m_list->setMouseTracking(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
+        new QShortcut(key, m_list, this, &MachineSide::testsWanted, Qt::WidgetShortcut);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex &index) {
                 if (index.isValid())
@@ -62,7 +69,10 @@ void MachineSide::showState(bool isScanning) {
     m_all->setText(tr("All"));
     m_toDo->setText(tr("To do %1").arg(m_machines->toDoCount()));
     m_noMachine->setText(isScanning ? tr("The folders are being read…") : tr("No machine yet"));
+    const bool isFirst = any && !m_search->isEnabled();
     m_search->setEnabled(any);
+    if (isFirst)
+        m_search->setFocus();
     m_noMachine->setVisible(!any);
     m_ghosts->setVisible(!any);
     m_list->setVisible(any);

@@ -27,13 +27,15 @@ public:
     [[nodiscard]] const MachineRow *chosen() const;
 
     void startSearch();
-    void moveBy(int rows); ///< to another machine of the list
+    void endSearch() { m_search->clear(); } ///< all machines again
+    void moveBy(int rows);                  ///< to another machine of the list
     /// Texts and widgets for the current list; `isScanning`: machines may follow.
     void showState(bool isScanning);
     void retranslate();
 
 signals:
     void machineChosen(); ///< another one, or none
+    void testsWanted();   ///< those of the chosen one, by Enter
 
 private:
     QLayout *makeHead();

@@ -50,6 +50,8 @@ RegisterMenus::RegisterMenus(QMainWindow &window) {
     compare->setCheckable(true);
     testMenu->addSeparator();
     under = testMenu->addMenu(QString());
+    sorting = testMenu->addMenu(QString());
+    sorting->setObjectName(QStringLiteral("sorting"));
     clear = added(*testMenu, "clearAllFilters");
     trendAlone = added(*viewMenu, "trendAlone", "maxi", QKeySequence(Qt::Key_F11));
     trendAlone->setCheckable(true);
@@ -75,6 +77,13 @@ void RegisterMenus::fill(QToolBar &bar) const {
     bar.addSeparator();
     bar.addAction(join);
     bar.addAction(history);
+    for (QAction *action : bar.actions()) {
+        if (action->isSeparator())
+            continue;
+        QWidget *button = bar.widgetForAction(action);
+        button->setObjectName(action->objectName() + QStringLiteral("Button"));
+        button->setFocusPolicy(Qt::TabFocus);
+    }
 }
 
 void RegisterMenus::retranslate() const {
@@ -85,6 +94,7 @@ void RegisterMenus::retranslate() const {
     helpMenu->setTitle(tr("&Help"));
     intervals->setTitle(tr("&Interval"));
     under->setTitle(tr("&Evaluate all under…"));
+    sorting->setTitle(tr("&Sort by"));
     folders->setText(tr("&Folders…"));
     rescan->setText(tr("&Rescan"));
     troubled->setText(tr("Files with &troubles…"));

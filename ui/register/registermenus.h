@@ -26,6 +26,7 @@ public:
     QMenu *helpMenu = nullptr;
     QMenu *intervals = nullptr;
     QMenu *under = nullptr; ///< editions for evaluating all tests
+    QMenu *sorting = nullptr;
 
     QAction *folders = nullptr;
     QAction *rescan = nullptr;

@@ -55,6 +55,7 @@ RegisterPage::RegisterPage(const RegisterMenus &menus)
     connect(menus.open, &QAction::triggered, this, &RegisterPage::openChosen);
     connect(menus.compare, &QAction::toggled, this, &RegisterPage::compareCurves);
     connect(menus.under, &QMenu::aboutToShow, this, &RegisterPage::fillEditions);
+    connect(menus.sorting, &QMenu::aboutToShow, this, [this] { m_table->fillSorting(*m_menus.sorting); });
     connect(menus.clear, &QAction::triggered, m_filters, &FilterBar::clear);
     connect(menus.trendAlone, &QAction::toggled, m_testsPart, &QWidget::setHidden);
 }

@@ -28,6 +28,7 @@ public:
     void forgetEdition();
     /// Arranges trend and curves for the width of the window.
     void fit();
+    void goToTests() { m_table->setFocus(Qt::ShortcutFocusReason); }
     void retranslate();
     [[nodiscard]] int shownCount() const { return m_table->count(); }
     [[nodiscard]] int chosenCount() const { return static_cast<int>(m_table->chosen().size()); }

@@ -63,6 +63,7 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     m_stack->addWidget(m_page);
     m_side = new MachineSide;
     connect(m_side, &MachineSide::machineChosen, this, &RegisterWindow::showMachine);
+    connect(m_side, &MachineSide::testsWanted, m_page, &RegisterPage::goToTests);
     m_parts = new ThinSplitter(Qt::Horizontal);
     m_parts->addWidget(m_side);
     m_parts->addWidget(m_stack);
@@ -82,6 +83,8 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     connect(&m_service, &RegisterService::pruneRefused, this, &RegisterWindow::askToPrune);
     retranslate();
     resize(sizeOnScreen(*this, usual));
+    if (m_stack->currentIndex() == 0)
+        firstUse->setFocus();
     loadMachines();
 }
 
@@ -119,7 +122,7 @@ void RegisterWindow::makeActions() {
     auto *restore = new QAction(this);
     restore->setShortcut(Qt::Key_Escape);
     addAction(restore);
-    connect(restore, &QAction::triggered, this, [this] { m_menus.trendAlone->setChecked(false); });
+    connect(restore, &QAction::triggered, this, &RegisterWindow::goBack);
     connect(m_menus.help, &QAction::triggered, this, &RegisterWindow::showHelp);
     connect(m_menus.shortcuts, &QAction::triggered, this, [this] {
         auto *dialog = new ShortcutsDialog(*menuBar(), this, false);
@@ -127,6 +130,17 @@ void RegisterWindow::makeActions() {
         dialog->show();
     });
     connect(m_menus.about, &QAction::triggered, this, [this] { showAbout(this); });
+}
+
+/// Ends the trend alone, else the comparison, else the search.
+void RegisterWindow::goBack() {
+    for (QAction *part : {m_menus.trendAlone, m_menus.compare}) {
+        if (part->isChecked()) {
+            part->setChecked(false);
+            return;
+        }
+    }
+    m_side->endSearch();
 }
 
 void RegisterWindow::retranslate() {

@@ -44,6 +44,7 @@ protected:
 
 private:
     void makeActions();
+    void goBack();
     void retranslate() final;
 
     void loadMachines();

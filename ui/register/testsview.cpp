@@ -6,6 +6,7 @@
 #include "ui/theme.h"
 
 #include <QHeaderView>
+#include <QMenu>
 #include <QShortcut>
 #include <algorithm>
 #include <tuple>
@@ -46,9 +47,11 @@ TestsView::TestsView() {
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setStretchLastSection(true);
     connect(this, &QTableView::doubleClicked, this, &TestsView::openAsked);
-    auto *enter = new QShortcut(Qt::Key_Return, this, this, &TestsView::openAsked);
-    enter->setContext(Qt::WidgetShortcut);
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
+        new QShortcut(key, this, this, &TestsView::openCurrent, Qt::WidgetShortcut);
     connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &TestsView::chosenChanged);
+    connect(selectionModel(), &QItemSelectionModel::currentRowChanged, viewport(),
+            QOverload<>::of(&QWidget::update)); // the frame of a row
 }
 
 void TestsView::retranslate() {
@@ -82,6 +85,31 @@ void TestsView::choose(const QString &digest) {
             continue;
         selectRow(row);
         scrollTo(index);
+    }
+}
+
+/// Opens the chosen test, or the current row if none is chosen.
+void TestsView::openCurrent() {
+    if (!selectionModel()->hasSelection() && currentIndex().isValid())
+        selectRow(currentIndex().row());
+    emit openAsked();
+}
+
+/// The column that sorts already offers the opposite order.
+void TestsView::fillSorting(QMenu &menu) {
+    menu.clear();
+    for (int column = TestTableModel::dateColumn; column < m_tests->columnCount(); ++column) {
+        if (isColumnHidden(column))
+            continue;
+        const bool isSorted = column == m_sorted->sortColumn();
+        const bool turned = isSorted && m_sorted->sortOrder() == Qt::AscendingOrder;
+        QAction *action =
+            menu.addAction(m_tests->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(), this,
+                           [this, column, order = turned ? Qt::DescendingOrder : Qt::AscendingOrder] {
+                               sortByColumn(column, order);
+                           });
+        action->setCheckable(true);
+        action->setChecked(isSorted);
     }
 }
 

@@ -7,6 +7,8 @@
 #include <QSortFilterProxyModel>
 #include <QTableView>
 
+class QMenu;
+
 namespace palmer::ui {
 
 /// The table of a machine's tests, sorted by any column. Its columns fit its width.
@@ -26,6 +28,8 @@ public:
     /// Chosen tests by date and time, valid until the next setTests().
     [[nodiscard]] std::vector<const ListedTest *> chosen() const;
     void choose(const QString &digest);
+    /// Offers its columns to sort by in a menu, since the header takes no keys.
+    void fillSorting(QMenu &menu);
     void retranslate();
 
 signals:
@@ -36,6 +40,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void openCurrent();
     void fitColumns();
     void fitResults();
     [[nodiscard]] const ListedTest &testAt(const QModelIndex &index) const;

@@ -295,6 +295,11 @@ void TestDelegate::paintContent(QPainter &painter, const QStyleOptionViewItem &o
     } else {
         drawElided(painter, area, Qt::AlignLeft, text, font, colour);
     }
+    if (isCurrentRow(option, index)) { // the lines of all cells frame the row
+        painter.setPen(QPen(token(Token::accent, palette), 1));
+        painter.drawLine(option.rect.topLeft(), option.rect.topRight());
+        painter.drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+    }
 }
 
 } // namespace palmer::ui

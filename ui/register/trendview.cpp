@@ -10,6 +10,7 @@
 #include "ui/windowlanguage.h"
 
 #include <QAction>
+#include <QButtonGroup>
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
@@ -17,6 +18,12 @@
 #include <algorithm>
 
 namespace palmer::ui {
+
+namespace {
+
+const QString parameterButton = QStringLiteral("parameter "); ///< its name begins so, its ID follows
+
+} // namespace
 
 TrendView::TrendView(const RegisterMenus &menus) {
     m_legend->setAlignment(Qt::AlignCenter);
@@ -47,7 +54,15 @@ QLayout *TrendView::makeHead(const RegisterMenus &menus) {
     auto *zoom = new ZoomButtons;
     connect(zoom, &ZoomButtons::zoomWanted, m_chart, &TrendChart::zoomBy);
     connect(zoom, &ZoomButtons::fitWanted, m_chart, &TrendChart::showAll);
-    return inRow(styleSpacing, {{m_title, 1}, m_parameters, m_under, zoom, m_copy, m_maximise});
+    auto *choice = new QButtonGroup(this);
+    auto *parameters = inRow(0, {});
+    for (QToolButton *&button : m_parameters) {
+        button = made<QToolButton>({}, trait::checkable);
+        choice->addButton(button);
+        parameters->addWidget(button);
+    }
+    connect(choice, &QButtonGroup::buttonClicked, this, &TrendView::chooseParameter);
+    return inRow(styleSpacing, {{m_title, 1}, parameters, m_under, zoom, m_copy, m_maximise});
 }
 
 void TrendView::changeEvent(QEvent *event) {
@@ -105,29 +120,24 @@ void TrendView::setTests(std::vector<ListedTest> tests, const QString &about) {
 
 void TrendView::showParameters() {
     std::vector<std::string> parameters = parametersOf(m_tests);
-    constexpr std::size_t mostButtons = 5;
-    if (parameters.size() > mostButtons)
-        parameters.resize(mostButtons);
+    parameters.resize(std::min(parameters.size(), m_parameters.size()));
     if (std::ranges::find(parameters, m_parameter) == parameters.end())
         m_parameter = parameters.empty() ? std::string() : parameters.front();
-    while (QLayoutItem *item = m_parameters->takeAt(0)) {
-        if (item->widget())
-            item->widget()->deleteLater();
-        delete item;
+    for (std::size_t i = 0; i < m_parameters.size(); ++i) {
+        QToolButton *button = m_parameters.at(i);
+        button->setVisible(i < parameters.size());
+        if (i >= parameters.size())
+            continue;
+        button->setText(plainSymbolOf(parameters[i]));
+        button->setObjectName(parameterButton + QString::fromStdString(parameters[i]));
+        if (parameters[i] == m_parameter)
+            button->setChecked(true);
     }
-    for (const std::string &parameter : parameters) {
-        auto *button = new QToolButton;
-        button->setText(plainSymbolOf(parameter));
-        button->setObjectName(QStringLiteral("parameter ") + QString::fromStdString(parameter));
-        button->setCheckable(true);
-        button->setChecked(parameter == m_parameter);
-        m_choice->addButton(button);
-        m_parameters->addWidget(button);
-        connect(button, &QToolButton::clicked, this, [this, parameter] {
-            m_parameter = parameter;
-            showTrend();
-        });
-    }
+}
+
+void TrendView::chooseParameter(const QAbstractButton *button) {
+    m_parameter = button->objectName().mid(parameterButton.size()).toStdString();
+    showTrend();
 }
 
 void TrendView::showTrend() {

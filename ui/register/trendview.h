@@ -8,9 +8,9 @@
 #include "ui/register/trendchart.h"
 #include "ui/register/trendfacts.h"
 
-#include <QButtonGroup>
 #include <QPushButton>
 #include <QToolButton>
+#include <array>
 
 namespace palmer::ui {
 
@@ -39,6 +39,7 @@ protected:
 private:
     QLayout *makeHead(const RegisterMenus &menus);
     void showParameters();
+    void chooseParameter(const QAbstractButton *button);
     void showTrend();
     void showLegend();
     void sayMaximised(bool maximised);
@@ -47,8 +48,7 @@ private:
     QString m_about;
     std::string m_parameter; ///< ID; empty: none
     QLabel *m_title = made<ElidedLabel>("trendTitle", TextSize::head);
-    QHBoxLayout *m_parameters = inRow(0, {});
-    QButtonGroup *m_choice = new QButtonGroup(this);
+    std::array<QToolButton *, 5> m_parameters{}; ///< the first ones are shown
     QPushButton *m_under = made<QPushButton>("evaluateUnder");
     QToolButton *m_copy = made<QToolButton>("copyTrend");
     QToolButton *m_maximise = made<QToolButton>("maximiseTrend", trait::checkable);

@@ -326,50 +326,136 @@ private slots:
         QCOMPARE(m_service->result().tests, 4);
     }
 
-    /// From the search to an opened test without a mouse, seen in the dark.
+    /// From the first folder to closing without a mouse, seen in the dark; keys go the way of the system's.
     void drivenByKeysAloneInTheDark() {
-        scan();
         const auto back = qScopeGuard([before = themeChoice()] { setThemeChoice(before); });
         setThemeChoice(ThemeChoice::dark);
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        const auto press = [](Qt::Key key, Qt::KeyboardModifiers with = {}) {
-            QTest::keyClick(QApplication::focusWidget(), key, with);
+        const auto focused = [] {
+            const QWidget *widget = QApplication::focusWidget();
+            return widget ? widget->objectName() : QString();
+        };
+        const auto target = [this] { // a menu that closes leaves no window the keys for a moment
+            QWindow *window = QGuiApplication::focusWindow();
+            return window ? window : m_window->windowHandle();
+        };
+        const auto press = [&](Qt::Key key, Qt::KeyboardModifiers with = {}) {
+            QTest::keyClick(target(), key, with);
+        };
+        const auto type = [&](const char *text) {
+            for (; *text; ++text)
+                QTest::keyClick(target(), *text);
         };
         const auto tabTo = [&](const QString &name) {
             QStringList walked;
-            while (QApplication::focusWidget()->objectName() != name && walked.size() < 60) {
-                walked << QApplication::focusWidget()->objectName();
+            while (focused() != name && walked.size() < 60) {
+                walked << focused();
                 press(Qt::Key_Tab);
             }
             return walked.size() < 60 ? QString() : name + " is not among " + walked.join(", ");
         };
-        QTest::keyClick(m_window.get(), Qt::Key_F, Qt::ControlModifier);
+        QCOMPARE(focused(), QString("chooseFolder"));
+        scan();
+        auto *machines = find<QListView>("machines");
+        auto *tests = find<QTableView>("tests");
+        QCOMPARE(focused(), QString("machineSearch"));
+        // One round, in the order of reading.
         for (const char *name :
-             {"machineSearch", "allMachines", "machines", "interval", "filterAxis", "filterLimits", "tests",
-              "parameter A", "evaluateUnder", "trendChart", "copyTrend", "maximiseTrend", "machineSearch"})
+             {"allMachines", "machines", "interval", "filterAxis", "filterLimits", "tests", "parameter A",
+              "evaluateUnder", "copyTrend", "maximiseTrend", "trendChart", "foldersButton", "rescanButton",
+              "joinMachinesButton", "historyButton", "machineSearch"})
             QCOMPARE(tabTo(name), QString());
-        QTest::keyClicks(QApplication::focusWidget(), "machine 2");
-        QCOMPARE(tabTo("machines"), QString());
+        // From the search to the opened test.
+        type("machine 2");
+        press(Qt::Key_Down);
+        QCOMPARE(focused(), QString("machines"));
         settle();
         QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 2"));
+        press(Qt::Key_Return);
+        QCOMPARE(focused(), QString("tests"));
+        const QSignalSpy opened(m_window.get(), &RegisterWindow::openAsked);
+        press(Qt::Key_Enter, Qt::KeypadModifier);
+        QCOMPARE(opened.size(), 1);
+        press(Qt::Key_Escape);
+        QCOMPARE(machines->model()->rowCount(), 2);
+        QVERIFY(find<QLineEdit>("machineSearch")->text().isEmpty());
+        // What is to be done.
+        QCOMPARE(tabTo("allMachines"), QString());
+        press(Qt::Key_Right);
+        QCOMPARE(focused(), QString("machinesToDo"));
+        QCOMPARE(machines->model()->rowCount(), 1); // that of the exceeded limit
+        press(Qt::Key_Left);
+        QCOMPARE(machines->model()->rowCount(), 2);
+        press(Qt::Key_Up, Qt::AltModifier);
+        settle();
+        QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 1"));
+        // Filters, order and several tests of the table.
         QCOMPARE(tabTo("filterPurpose"), QString());
         press(Qt::Key_Down);
         auto *menu = find<FilterChip>("filterPurpose")->menu();
         QVERIFY(menu->isVisible());
-        QTest::keyClick(menu, Qt::Key_Escape);
+        press(Qt::Key_Escape);
+        QVERIFY(!menu->isVisible());
+        press(Qt::Key_Return);
+        for (int i = 0; i < 2; ++i) // all, then the first purpose
+            press(Qt::Key_Down);
+        press(Qt::Key_Return);
+        QVERIFY(find<FilterChip>("filterPurpose")->isChecked());
+        QCOMPARE(tests->model()->rowCount(), 1);
+        press(Qt::Key_Delete);
+        QCOMPARE(tests->model()->rowCount(), 7);
+        const QString newest = tests->model()->index(0, TestTableModel::dateColumn).data().toString();
+        press(Qt::Key_T, Qt::AltModifier);
+        press(Qt::Key_S); // by date, the other way round
+        press(Qt::Key_Return);
+        QCOMPARE(tests->model()->index(6, TestTableModel::dateColumn).data().toString(), newest);
         QCOMPARE(tabTo("tests"), QString());
         press(Qt::Key_Down);
-        press(Qt::Key_Space);
-        QCOMPARE(selected().size(), 1);
-        const QSignalSpy opened(m_window.get(), &RegisterWindow::openAsked);
+        press(Qt::Key_Down, Qt::ShiftModifier);
+        QCOMPARE(selected().size(), 2);
+        QCOMPARE(tabTo("compareCurvesButton"), QString());
         press(Qt::Key_Return);
-        QCOMPARE(opened.size(), 1);
+        QVERIFY(find<TaggedChart>("curves")->isVisible());
+        press(Qt::Key_Escape);
+        QVERIFY(!find<TaggedChart>("curves")->isVisible());
+        // The trend.
+        QCOMPARE(tabTo("parameter A"), QString());
+        press(Qt::Key_Right);
+        QVERIFY(find<QLabel>("trendTitle")->text().startsWith("Trend of E"));
+        m_service->rescan();
+        settle();
+        QCOMPARE(focused(), QString("parameter E"));
+        QCOMPARE(tabTo("trendChart"), QString());
+        auto *chart = find<TrendChart>("trendChart");
+        const QRectF whole = chart->range();
+        press(Qt::Key_Plus);
+        QVERIFY(chart->range().width() < whole.width());
+        press(Qt::Key_0);
+        QCOMPARE(chart->range(), whole);
+        press(Qt::Key_F11);
+        QVERIFY(!tests->isVisible());
+        press(Qt::Key_Escape);
+        QVERIFY(tests->isVisible());
         // Texts that carry their colours have those of the dark.
         const auto shows = [this](const char *name, Token colour) {
             return find<QLabel>(name)->text().contains(token(colour, m_window->palette()).name());
         };
         QVERIFY(shows("trendLegend", Token::accent));
         QVERIFY(shows("trendFacts", Token::secondaryText));
+        // Joining, first thought better of, and the end.
+        for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_Return}) {
+            QCOMPARE(tabTo("joinMachinesButton"), QString());
+            press(Qt::Key_Return);
+            QTRY_VERIFY(QApplication::activeModalWidget());
+            press(key);
+            QTRY_VERIFY(!QApplication::activeModalWidget());
+            settle();
+            m_window->activateWindow(); // as a window manager does
+            QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+            QCOMPARE(machines->model()->rowCount(), key == Qt::Key_Escape ? 2 : 1);
+        }
+        QTest::keySequence(target(), QKeySequence(QKeySequence::Close));
+        QVERIFY(!m_window->isVisible());
     }
 
     void theStatusBarCounts() {
