@@ -237,6 +237,22 @@ void drawSample(QPainter &p, TrendSign sign, QPointF place, Medium medium) {
     }
 }
 
+/// Breaks a note between its entries; an entry wider than a line is elided.
+QStringList linesOf(const QString &note, double width) {
+    const QFontMetricsF metrics(paperFont(figureTextSize));
+    const QString between = QStringLiteral(" · ");
+    QStringList lines;
+    for (const QString &entry : note.split(between, Qt::SkipEmptyParts)) {
+        const bool fits =
+            !lines.isEmpty() && metrics.horizontalAdvance(lines.back() + between + entry) <= width;
+        if (fits)
+            lines.back() += between + entry;
+        else
+            lines << metrics.elidedText(entry, Qt::ElideRight, width);
+    }
+    return lines;
+}
+
 } // namespace
 
 FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigure &figure, Medium medium) {
@@ -246,7 +262,8 @@ FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigur
     constexpr double cells = 4;
     const bool hasLegend = !figure.legend.empty();
     const std::size_t legendRows = (figure.legend.size() + 2) / 3;
-    const double note = large && !figure.note.isEmpty() ? legendPitch : 0;
+    const QStringList lines = large ? linesOf(figure.note, area.width()) : QStringList();
+    const double note = static_cast<double>(lines.size()) * legendPitch;
     const double below = note + (large && hasLegend ? static_cast<double>(legendRows) * legendPitch : 0);
     const double cell = large ? area.width() : (area.width() - label - (cells - 1) * panelGap) / cells;
     FigureTransform result;
@@ -260,11 +277,9 @@ FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigur
         drawText(painter, {area.left(), area.top() + 8 * mm}, figure.label, text, true);
         drawText(painter, {area.left(), area.top() + 12 * mm}, figure.note, text);
     }
-    if (note > 0) {
-        const QFontMetricsF metrics(paperFont(figureTextSize));
-        drawText(painter, {area.left(), area.bottom() - note / 2},
-                 metrics.elidedText(figure.note, Qt::ElideRight, area.width()), text);
-    }
+    for (qsizetype i = 0; i < lines.size(); ++i)
+        drawText(painter, {area.left(), area.bottom() - note + (static_cast<double>(i) + 0.5) * legendPitch},
+                 lines[i], text);
     const double column = large ? area.width() / 3 : 0;
     for (std::size_t i = 0; i < figure.legend.size(); ++i) {
         const auto row = static_cast<double>(i);

@@ -81,6 +81,32 @@ private slots:
             }
         }
     }
+
+    /// What splits many series stands below the chart of one trend, whole.
+    void aLongNoteHasLines() {
+        const QStringList series{"Another series: tool offset X 1 Y 2 Z 3 mm",
+                                 "ISO 230-2:2006",
+                                 "correction to 20 °C: not applied",
+                                 "feed 3 000 mm/min",
+                                 "runs in either direction: 3 + 3",
+                                 "zone 0 to 1 000 mm",
+                                 "active compensation: pitch table off"};
+        TrendFigure figure;
+        figure.note = series.join(" · ");
+        figure.panels.push_back(panelOf("A", "", "no trend shown"));
+        testdata::TextRecorder recorder(QSize(500, 300));
+        {
+            QPainter painter(&recorder);
+            (void)drawKind(painter, QRectF(0, 0, 175 * mm, 90 * mm), figure, Medium::paper);
+        }
+        QString all;
+        for (const testdata::RecordedText &text : recorder.texts) {
+            all += text.text + '\n';
+            QVERIFY2(text.box.right() <= 175 * mm, qPrintable(text.text));
+        }
+        for (const QString &one : series)
+            QVERIFY2(all.contains(one), qPrintable(one + " is not in\n" + all));
+    }
 };
 
 QTEST_MAIN(DrawTrendFigure)
