@@ -160,11 +160,21 @@ QString commandHelp(const Command &command, const Language &language, const QStr
     for (const QString &example : examplesOf(command, part))
         for (const QString &line : wrapped(QStringLiteral("palmer-cli ") + example, textColumns() - 2))
             examples += QStringLiteral("  ") + line + u'\n';
-    const QString arguments = part.isEmpty() ? QString::fromUtf8(command.arguments).trimmed() : part;
-    return paragraph(QStringLiteral("palmer-cli ") + QString::fromUtf8(command.name) +
-                     QStringLiteral(" [OPTION]… ") + arguments) +
-           u'\n' + paragraph(language.text(command.description)) + u'\n' + inColumns(options, textColumns()) +
-           u'\n' + language.text(REPORT_TEXT("report", "Examples")) + u'\n' + examples + u'\n' +
+    QString called = QString::fromUtf8(command.name);
+    QString arguments = QString::fromUtf8(command.arguments).trimmed();
+    QString description = language.text(command.description);
+    if (!part.isEmpty()) { // the description ends with a list of the parts and their arguments
+        called += u' ' + part;
+        const QStringList all = description.section(u':', -1).split(u',');
+        const auto found = std::ranges::find_if(
+            all, [&](const QString &one) { return one.trimmed().section(u' ', 0, 0) == part; });
+        arguments = found == all.end() ? QString() : found->trimmed().mid(part.size() + 1);
+        description = description.section(u':', 0, 0).trimmed();
+    }
+    return paragraph((QStringLiteral("palmer-cli ") + called + QStringLiteral(" [OPTION]… ") + arguments)
+                         .trimmed()) +
+           u'\n' + paragraph(description) + u'\n' + inColumns(options, textColumns()) + u'\n' +
+           language.text(REPORT_TEXT("report", "Examples")) + u'\n' + examples + u'\n' +
            language.text(REPORT_TEXT("report", "Exit codes")) + u'\n' +
            inColumns(exitRows(language, &command), textColumns());
 }

@@ -193,6 +193,10 @@ private slots:
                 trend.contains("register trend"));
         QVERIFY(!trend.contains("register scan"));
         QCOMPARE(out({"register", "trend", "--help"}, "1000"), trend);
+        QVERIFY(out({"help", "register", "join"}, "1000")
+                    .startsWith("palmer-cli register join [OPTION]… MACHINE MACHINE\n"));
+        QVERIFY(out({"help", "register", "scan"}, "1000", "fr_FR.UTF-8")
+                    .startsWith("palmer-cli register scan [OPTION]… FOLDER…\n"));
         QVERIFY(!out({"help", "synthesize", "positioning"}).contains("--radius"));
         QVERIFY(out({"help", "synthesize", "circular"}).contains("--radius"));
     }
