@@ -9177,6 +9177,10 @@
         <translation>list&#xa0;: du CSV pour tableurs, avec indicateur d’ordre des octets</translation>
     </message>
     <message>
+        <source>of CSV for spreadsheets, with a byte-order mark</source>
+        <translation>du CSV pour tableurs, avec indicateur d’ordre des octets</translation>
+    </message>
+    <message>
         <source>Report No.</source>
         <translation>Rapport n°</translation>
     </message>

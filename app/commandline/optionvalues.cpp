@@ -126,6 +126,13 @@ long long wholeBetween(const char *option, const QString &given, long long least
     return *number;
 }
 
+CsvMarks csvMarks(const Invocation &invocation) {
+    const auto mark = invocation.value("decimal-mark");
+    if (!mark)
+        return {};
+    return {*mark == QLatin1StringView("comma") ? ',' : '.', "\xEF\xBB\xBF"};
+}
+
 std::size_t testIndex(const Invocation &invocation, std::size_t count) {
     const QString word = invocation.value("test").value_or(QStringLiteral("1"));
     bool isNumber = false;

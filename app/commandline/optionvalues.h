@@ -8,6 +8,7 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/axis.h"
 
+#include <QByteArray>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -38,6 +39,13 @@ namespace palmer {
 /// The same, from `least` to `most`. Throws UsageError.
 [[nodiscard]] long long wholeBetween(const char *option, const QString &given, long long least,
                                      long long most);
+
+/// How CSV is written: with a point, or after --decimal-mark for spreadsheets, which want a byte-order mark.
+struct CsvMarks {
+    char decimal = '.';
+    QByteArray begin; ///< of the file
+};
+[[nodiscard]] CsvMarks csvMarks(const Invocation &invocation);
 
 /// Index of the test chosen by --test (from 1) out of `count`; by default the first. Throws UsageError if
 /// there is none.

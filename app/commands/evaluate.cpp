@@ -34,6 +34,8 @@ constexpr auto evaluateOptions = optionList(
         tableOption, "csv|text",
         REPORT_TEXT("report",
                     "one table of all files: a row per parameter with value, U, limit and both statements")},
+    Option{"decimal-mark", "point|comma",
+           REPORT_TEXT("report", "of CSV for spreadsheets, with a byte-order mark"), false, "table=csv"},
     jobsOption, simulationCommandOptions, preparationOptions[0], foreignOptions);
 
 /// Rows as sent by worker processes.
@@ -83,14 +85,15 @@ public:
         if (!m_table)
             return eachDocument(m_invocation, m_inputs, work, m_json ? Between::nothing : Between::emptyLine);
         std::vector<QStringList> rows; // aligned columns need the widths of all rows
+        const CsvMarks marks = csvMarks(m_invocation);
         const QStringList head = summaryHead(*m_table, m_invocation.language);
         if (*m_table == SummaryForm::csv)
-            printOut(summaryCsv({head}));
+            printOut(marks.begin + summaryCsv({head}, marks.decimal));
         const int code =
             eachDocument(m_invocation, m_inputs, work, Between::nothing, [&](const JobResult &done) {
                 std::vector<QStringList> more = unpacked(done.rows);
                 if (*m_table == SummaryForm::csv)
-                    printOut(summaryCsv(more));
+                    printOut(summaryCsv(more, marks.decimal));
                 else
                     rows.insert(rows.end(), more.begin(), more.end());
             });

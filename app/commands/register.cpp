@@ -204,7 +204,8 @@ public:
         , m_csv(invocation.has("csv"))
         , m_json(invocation.has("json"))
         , m_due(dateOption(invocation, "due"))
-        , m_sinceLast(invocation.has("since-last")) {
+        , m_sinceLast(invocation.has("since-last"))
+        , m_marks(csvMarks(invocation)) {
         m_filter.axis = invocation.value("axis").value_or(QString());
         m_filter.kind = kindOption(invocation);
         m_filter.since = dateOption(invocation, "since");
@@ -217,10 +218,6 @@ public:
                               {std::string("csv"), std::string(files ? "files" : "json")}});
         if (const auto months = invocation.value("interval"))
             m_interval = static_cast<int>(wholeBetween("interval", *months, 1, longestInterval));
-        if (const auto mark = invocation.value("decimal-mark")) {
-            m_decimalMark = *mark == QLatin1StringView("comma") ? ',' : '.';
-            m_byteOrderMark = "\xEF\xBB\xBF";
-        }
     }
 
     int run() {
@@ -234,7 +231,7 @@ public:
         if (const auto called = m_invocation.value("machine"))
             list = machinesCalled(list, *called);
         if (m_csv)
-            printOut(m_byteOrderMark + listedTestsCsvHead(m_decimalMark));
+            printOut(m_marks.begin + listedTestsCsvHead(m_marks.decimal));
         for (const ListedMachine &machine : list) // only one machine is held in memory
             print(database, machine);
         if (!m_hasPrinted && !m_csv && !m_json)
@@ -264,7 +261,7 @@ private:
         }
         if (m_csv || m_json) {
             for (const ListedTest &test : chosen)
-                printOut(m_csv ? listedTestCsv(test, m_decimalMark) : listedTestJson(test));
+                printOut(m_csv ? listedTestCsv(test, m_marks.decimal) : listedTestJson(test));
         } else if (!chosen.empty()) {
             printOut((m_hasPrinted ? QStringLiteral("\n") : QString()) +
                      plainText(composeList(evidenceOf(machine, m_invocation.language), chosen,
@@ -280,8 +277,7 @@ private:
     TestFilter m_filter;
     std::optional<int> m_interval;
     bool m_sinceLast;
-    char m_decimalMark = '.';
-    QByteArray m_byteOrderMark; ///< for spreadsheets
+    CsvMarks m_marks;
     bool m_hasPrinted = false;
 };
 

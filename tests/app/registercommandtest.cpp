@@ -373,6 +373,10 @@ void RegisterCommandTest::theListIsTheTable() {
     const QByteArray comma = reg({"list", "--csv", "--text", file, "--decimal-mark", "comma"}).out;
     QVERIFY(comma.startsWith("\xEF\xBB\xBF"
                              "file;test;machine;"));
+    const QList<QByteArray> withComma =
+        runCli({"evaluate", "--table", "csv", "--decimal-mark", "comma", file}).out.split('\n');
+    for (qsizetype i = 0; i < withComma.size(); ++i)
+        QVERIFY2(comma.split('\n').value(i).startsWith(withComma[i]), withComma[i]);
     const QList<QByteArray> cells = comma.split('\n')[1].split(';');
     const QList<QByteArray> points = list[1].split(',');
     QCOMPARE(cells.size(), points.size());
