@@ -71,6 +71,7 @@ QString addressOfLarge() {
 Database &large() {
     static Register &reg = *new Register(addressOfLarge()); // lives to the end
     static const bool isFilled = [] {
+        const QTemporaryDir dir;
         Register small(dir.filePath(QStringLiteral("small.sqlite")));
         const QString first = QDir(folder()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).constFirst();
         (void)scan(small, {folder() + u'/' + first});
