@@ -47,6 +47,8 @@ constexpr TextStyle subtitleStyle{10.5, false, black, 1.2};
 constexpr TextStyle noteStyle{8.5, false, noteGrey, 1.2};
 constexpr TextStyle smallStyle{8, false, noteGrey, 1.3};
 constexpr TextStyle paragraphStyle{9, false, black, 1.35};
+constexpr TextStyle narrowSmallStyle{7.5, false, noteGrey, 1.25};
+constexpr TextStyle narrowParagraphStyle{8.5, false, black, 1.3};
 constexpr TextStyle labelStyle{8.5, false, labelGrey, 1.28};
 constexpr TextStyle valueStyle{9, false, black, 1.28};
 constexpr TextStyle missingStyle{9, false, dashGrey, 1.28};
@@ -716,9 +718,10 @@ void takeAlong(Strips &above) {
 
 class StripMaker {
 public:
-    StripMaker(double width, double tallest)
+    StripMaker(double width, double tallest, bool narrow)
         : m_width(width)
-        , m_tallest(tallest) {}
+        , m_tallest(tallest)
+        , m_narrow(narrow) {}
 
     Strips operator()(const Heading &heading) const {
         return tagged(heading.level == 1   ? "/H1"
@@ -729,10 +732,10 @@ public:
     Strips operator()(const Paragraph &paragraph) const {
         if (paragraph.text.isEmpty())
             return {};
-        return tagged("/P",
-                      lineStrips(TextBlock(
-                          paragraph.text,
-                          paragraph.size == palmer::TextSize::small ? smallStyle : paragraphStyle, m_width)));
+        const bool small = paragraph.size == palmer::TextSize::small;
+        const TextStyle &style = m_narrow ? (small ? narrowSmallStyle : narrowParagraphStyle)
+                                          : (small ? smallStyle : paragraphStyle);
+        return tagged("/P", lineStrips(TextBlock(paragraph.text, style, m_width)));
     }
     Strips operator()(const KeyValues &values) const { return keyValueStrips(values, m_width); }
     Strips operator()(const Table &table) const { return tagged("/Table", tableStrips(table, m_width)); }
@@ -795,6 +798,7 @@ public:
     Strips operator()(const RunningHead &running) const {
         Strip result;
         result.running = running;
+        result.narrow = m_narrow;
         return {result};
     }
     Strips operator()(const PageBreak &) const {
@@ -813,6 +817,7 @@ private:
 
     double m_width;
     double m_tallest;
+    bool m_narrow;
 };
 
 } // namespace
@@ -833,8 +838,8 @@ bool isMark(const Block &block) {
     return std::holds_alternative<RunningHead>(block) || std::holds_alternative<PageBreak>(block);
 }
 
-Strips measured(const Block &block, double width, double tallest) {
-    Strips result = std::visit(StripMaker(width, tallest), block);
+Strips measured(const Block &block, double width, double tallest, bool narrow) {
+    Strips result = std::visit(StripMaker(width, tallest, narrow), block);
     for (Strip &strip : result) { // cheap to copy
         if (strip.draw)
             strip.draw = [draw = std::make_shared<const decltype(strip.draw)>(std::move(strip.draw))](

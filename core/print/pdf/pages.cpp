@@ -26,10 +26,12 @@ constexpr double footerRule = 14 * mm;    ///< above the page edge
 constexpr double footerText = 1.3 * mm;   ///< below its rule
 constexpr double runningRule = 1.45 * mm; ///< below its text
 constexpr double belowRunningHead = 6 * mm;
+constexpr double narrowlyBelow = 3 * mm;
 /// Gaps from this size on may shrink to this fraction to keep the results on the first page.
 constexpr double smallestToNarrow = 1.5 * mm;
 constexpr double slightlyNarrower = 0.7;
 constexpr double narrowest = 0.4;
+constexpr double closest = 0.3;             ///< in a certificate that is set narrow
 constexpr double leastOnFurtherPages = 0.8; ///< fraction of its height
 constexpr double roundingRoom = 0.01;
 constexpr double largestGap = 8.5 * mm; ///< if the page has space
@@ -38,8 +40,9 @@ constexpr double sectionRoom = 25 * mm; ///< minimum below the top of a section
 
 constexpr TextStyle runningStyle{7.5, false, noteGrey, 1.2};
 
-double runningHeadHeight() {
-    return runningStyle.size * runningStyle.leading + runningRule + belowRunningHead;
+double runningHeadHeight(bool narrow = false) {
+    return runningStyle.size * runningStyle.leading + runningRule +
+           (narrow ? narrowlyBelow : belowRunningHead);
 }
 
 QSizeF sizeOf(Paper paper) {
@@ -54,8 +57,9 @@ TextBlock elided(const QString &text, double width) {
 struct PageStrips {
     std::optional<RunningHead> running;
     Strips strips;
+    bool narrow = false; ///< less below the running head
 
-    [[nodiscard]] double top() const { return topMargin + (running ? runningHeadHeight() : 0); }
+    [[nodiscard]] double top() const { return topMargin + (running ? runningHeadHeight(narrow) : 0); }
     [[nodiscard]] double used() const {
         double height = 0;
         for (const Strip &strip : strips)
@@ -82,6 +86,7 @@ public:
                 ++i;
             } else if (strips[i].running) {
                 m_running = strips[i].running;
+                m_narrow = strips[i].narrow;
                 if (m_page.strips.empty())
                     m_page.running.reset();
                 ++i;
@@ -274,8 +279,8 @@ private:
                 if (before.strips[i - 1].withNext || (!first.section && (sections || !inBlock)))
                     continue;
                 const auto from = before.strips.begin() + static_cast<std::ptrdiff_t>(i);
-                const PageStrips kept{before.running, {before.strips.begin(), from}};
-                PageStrips moved{last.running, {from, before.strips.end()}};
+                const PageStrips kept{before.running, {before.strips.begin(), from}, before.narrow};
+                PageStrips moved{last.running, {from, before.strips.end()}, last.narrow};
                 if (from->head)
                     moved.strips.insert(moved.strips.begin(), *from->head);
                 moved.strips.insert(moved.strips.end(), last.strips.begin() + (repeatsHead ? 1 : 0),
@@ -295,6 +300,7 @@ private:
         m_pages.push_back(std::move(m_page));
         m_page = {};
         m_page.running = m_running;
+        m_page.narrow = m_narrow;
         m_narrowing = 1;
     }
 
@@ -303,6 +309,7 @@ private:
     std::size_t m_part = 0; ///< first page since a page break
     PageStrips m_page;
     std::optional<RunningHead> m_running;
+    bool m_narrow = false;     ///< less below it
     double m_narrowing = 1;    ///< factor for the larger gaps of this page
     std::vector<bool> m_early; ///< strips moved forward within their test
     double m_lowering = 0;     ///< reduction of the next figure's height
@@ -694,9 +701,10 @@ public:
     [[nodiscard]] const std::vector<PageStrips> &pages() const { return m_flow.pages(); }
 
 private:
-    [[nodiscard]] Strips stripsOf(Block block, const std::map<QString, int> &pages) const {
+    [[nodiscard]] Strips stripsOf(Block block, const std::map<QString, int> &pages,
+                                  bool narrow = false) const {
         putPages(block, pages);
-        return measured(block, m_width, m_bottom - topMargin - runningHeadHeight());
+        return measured(block, m_width, m_bottom - topMargin - runningHeadHeight(), narrow);
     }
 
     void flow() {
@@ -741,8 +749,8 @@ private:
             m_wide = m_blocks;
             m_widePages = pages;
             narrowBlocks(false);
-        } else if (m_narrowing > narrowest) {
-            m_narrowing = narrowest;
+        } else if (m_narrowing > closest) {
+            m_narrowing = closest;
         } else if (!m_narrowHeads) {
             m_narrowHeads = true;
             narrowBlocks(true);
@@ -764,10 +772,10 @@ private:
             if (asA<TestHead>(m_blocks[i]))
                 ofHeads.insert(pages[i]);
         }
-        for (std::size_t i = 0; i < m_blocks.size() && !isAnnex(m_blocks[i]); ++i) {
+        for (std::size_t i = 0; i + 1 < m_blocks.size() && !isAnnex(m_blocks[i + 1]); ++i) {
             if (heads == ofHeads.contains(pages[i])) {
                 std::visit([](auto &block) { setNarrow(block); }, m_blocks[i].block);
-                m_blocks[i].strips = stripsOf(m_blocks[i].block, m_widest);
+                m_blocks[i].strips = stripsOf(m_blocks[i].block, m_widest, true);
             }
         }
     }

@@ -37,6 +37,7 @@ struct Strip {
     bool pageBreak = false;             ///< only a page break
     bool soft = false;                  ///< page break that is ignored on a page with a running head
     std::optional<RunningHead> running; ///< only sets the running head from here on
+    bool narrow = false;                ///< what follows is closer to the running head
     int block = -1;                     ///< index of the block it begins
     QString link;                       ///< anchor of its link target
 };
@@ -57,8 +58,9 @@ struct MeasuredBlock {
 };
 using MeasuredBlocks = std::vector<MeasuredBlock>;
 
-/// The strips of one block, without what depends on its neighbours.
-[[nodiscard]] Strips measured(const Block &block, double width, double tallest);
+/// The strips of one block, without what depends on its neighbours. `narrow`: smaller text, less below a
+/// running head.
+[[nodiscard]] Strips measured(const Block &block, double width, double tallest, bool narrow = false);
 
 /// The strips of all blocks with the gaps between them.
 [[nodiscard]] Strips joined(const MeasuredBlocks &blocks);

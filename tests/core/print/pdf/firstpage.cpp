@@ -15,8 +15,7 @@ constexpr double dotsPerInch = 30;
 constexpr double dotsPerMillimetre = dotsPerInch / 25.4;
 constexpr double topMargin = 15; // mm, as those below
 constexpr double bottomMargin = 18;
-constexpr double mostBlank =
-    0.35; ///< of a page with results: a third, or more where a certificate is set closer
+constexpr double mostBlank = 1.0 / 3; ///< of a page with results
 
 /// The page, from 0, on which a text stands; −1: on none.
 qsizetype pageOf(const QString &text, const QStringList &pages, qsizetype from = 0) {
@@ -195,7 +194,8 @@ void FirstPageTest::aTestOf11TargetsHasFourPages() {
 void FirstPageTest::certificatesHaveTwoPages_data() {
     QTest::addColumn<Language::Id>("language");
     for (const QString &name : {u"iso230-2-1988-example"_s, u"rotary-axis"_s, u"iso230-4-full-circles-xy"_s,
-                                u"iso230-4-partial-arc-zx"_s, u"iso230-4-feedback-yz"_s}) {
+                                u"iso230-4-partial-arc-zx"_s, u"iso230-4-feedback-yz"_s, u"limits-2006"_s,
+                                u"one-direction"_s, u"thermal-behaviour"_s}) {
         QTest::newRow(qPrintable(name + u", English"_s)) << Language::Id::english;
         QTest::newRow(qPrintable(name + u", French"_s)) << Language::Id::french;
     }
