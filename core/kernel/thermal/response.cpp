@@ -118,6 +118,12 @@ public:
 
     [[nodiscard]] const ResponseFit::At &best() const { return m_best; }
 
+    /// Returns the least squares without y, whatever the τ of a fitted start.
+    [[nodiscard]] double leastWithout() const {
+        const auto least = std::ranges::min_element(m_points, {}, &ResponseFit::At::without);
+        return std::min(least->without, m_best.without);
+    }
+
     /// Returns all τ with S ≤ S_min + δ, from the lowest to the highest, with their fits.
     struct Within {
         Range range;
@@ -199,18 +205,26 @@ private:
     ResponseFit::At m_best;
 };
 
-ResponseState judge(const ResponseFit::At &best, const ResponseRecord &record, const Noise &ofK,
+/// True if a straight drift explains y. With a fitted start, for any τ that the data allow: judged at the
+/// best τ alone, only estimates far from the truth would pass, whose intervals then miss it.
+bool isStraight(const Scan &scan, bool hasStart, const Noise &ofTau) {
+    constexpr double leastOfY = 0.03;
+    const auto holds = [](const ResponseFit::At &one) { return one.left < leastOfY * one.ofY; };
+    return holds(scan.best()) || (hasStart && std::ranges::any_of(scan.within(ofTau.allowed()).fits, holds));
+}
+
+ResponseState judge(const Scan &scan, const ResponseRecord &record, const Noise &ofK, const Noise &ofTau,
                     double residual, double resolution, int ofTemperatures) {
     constexpr double leastDegrees = 3;
     constexpr double error = 0.05;
-    constexpr double leastOfY = 0.03;
     constexpr double mostNoise = 0.2;
+    const ResponseFit::At &best = scan.best();
     if (ofK.degrees < leastDegrees)
         return ResponseState::tooFewValues;
-    if (!(best.without - best.squares >
+    if (!(scan.leastWithout() - best.squares >
           2 * fisherQuantile(error / ofTemperatures, ofK.degrees) * ofK.variance))
         return ResponseState::notProven;
-    if (best.left < leastOfY * best.ofY)
+    if (isStraight(scan, !record.settled, ofTau))
         return ResponseState::straightDrift;
     const double passed = std::sqrt(record.step / (record.step + 2 * best.tau));
     if (noiseOf(record.temperatures, resolution) * std::abs(best.k) * passed > mostNoise * residual)
@@ -247,7 +261,7 @@ ThermalResponse thermalResponse(const ThermalRecord &given, int ofTemperatures) 
     const Noise ofTau = noiseOf(noise, linear.ofTau);
     result.squares = best.squares;
     result.residual = std::sqrt(best.squares / static_cast<double>(fit.used() - fit.parameters(best.tau)));
-    result.state = judge(best, record, ofK, result.residual, given.resolution, ofTemperatures);
+    result.state = judge(scan, record, ofK, ofTau, result.residual, given.resolution, ofTemperatures);
     if (result.state != ResponseState::found)
         return result;
     result.k = best.k;

@@ -182,6 +182,18 @@ private slots:
         const ThermalRecord coarse{good.times, good.deviations, good.temperatures, 1.0, true};
         QCOMPARE(int(thermalResponse(coarse).state), int(ResponseState::noisyTemperature));
     }
+    /// A step early in a short record looks like a start that decays: nothing is said, unless the start is
+    /// known.
+    void aStartThatLooksLikeTheResponse() {
+        int found = 0;
+        for (unsigned i = 0; i < 40; ++i) {
+            Simulated truth;
+            truth.step = 40;
+            found += of(simulated(truth, i), false).state == ResponseState::found ? 1 : 0;
+        }
+        QVERIFY2(found <= 2, qPrintable(QString::number(found)));
+        QCOMPARE(int(of(simulated({}, 1)).state), int(ResponseState::found));
+    }
     /// Without delay the deviations follow at once: no lower bound of τ.
     void aResponseWithoutDelay() {
         Simulated truth;
