@@ -35,7 +35,8 @@ template <>
 inline constexpr auto fileWords<Expected> = wordsInOrder<Expected>("parameter", "statistic", "contribution",
                                                                    "drift", "correction", "influence",
                                                                    "comparison", "compensation", "trend",
-                                                                   "contouringFeed", "circle", "sheet");
+                                                                   "contouringFeed", "circle", "sheet",
+                                                                   "response", "typeTest");
 template <>
 inline constexpr auto fileWords<CompensationFormat> = wordsInOrder<CompensationFormat>("linuxcnc", "siemens",
                                                                                        "weihong", "csv");
@@ -171,6 +172,12 @@ ReferenceSet readReferenceSet(const QByteArray &bytes) {
         for (const auto &[key, numbers] : {std::pair("x"_L1, &points.x), std::pair("y"_L1, &points.y)})
             std::ranges::transform(item[key].toArray(), std::back_inserter(*numbers),
                                    [](const QJsonValue &number) { return number.toDouble(); });
+    }
+    for (const QJsonValue item : file["types"_L1].toArray()) {
+        ReferenceType &type = set.types.emplace_back();
+        for (const QJsonValue value : item["values"_L1].toArray())
+            type.values.push_back(value.toDouble());
+        type.tolerance = {item["content"_L1].toDouble(), item["confidence"_L1].toDouble()};
     }
     const QJsonArray expected = file["expected"_L1].toArray();
     for (qsizetype i = 0; i < expected.size(); ++i)

@@ -8,6 +8,7 @@
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 #include "kernel/numerics/points.h"
 #include "kernel/trend/notbefore.h"
+#include "kernel/typetest/typetest.h"
 
 #include <QByteArray>
 #include <QString>
@@ -36,8 +37,10 @@ enum class Expected {
     compensation,   ///< value of a table at its point `target`, by direction
     trend,          ///< a number of a line, "statement" or "notBefore"
     contouringFeed, ///< for another diameter
-    circle, ///< of points: lsc_cx, lsc_cy, lsc_R, lsc_width; mzc_cx, mzc_cy, mzc_Ro, mzc_Ri, mzc_width
-    sheet,  ///< the state of a row of the acceptance sheet, by its number
+    circle,   ///< of points: lsc_cx, lsc_cy, lsc_R, lsc_width; mzc_cx, mzc_cy, mzc_Ro, mzc_Ri, mzc_width
+    sheet,    ///< the state of a row of the acceptance sheet, by its number
+    response, ///< k, tau or slope of a drift test: its first channel and temperature
+    typeTest, ///< a number of a type
 };
 
 /// A value that the evaluation of a reference set must give.
@@ -47,7 +50,7 @@ struct Expectation {
     std::string of;                  ///< of a parameter; empty: its value
     std::string variant;             ///< of the documents of the set
     std::string edition;             ///< empty: that of the test
-    std::size_t test = 0;            ///< index in the tests, trends or points of the set
+    std::size_t test = 0;            ///< index in the tests, trends, points or types of the set
     int target = 0;                  ///< counted from 1
     std::string axis;                ///< of an influence: its letter
     iso230_4::ContouringFeed feed{}; ///< inputs of the contouring feed
@@ -67,6 +70,12 @@ struct ReferenceTrend {
     double reserve = 0;
 };
 
+/// Values of the machines of a type.
+struct ReferenceType {
+    std::vector<double> values;
+    Tolerance tolerance;
+};
+
 /// Words in the language of a reader, by its code; a file may state the same for all.
 using Words = std::map<QString, QString>;
 
@@ -79,6 +88,7 @@ struct ReferenceSet {
     std::map<std::string, std::shared_ptr<const Document>> documents;
     std::vector<ReferenceTrend> trends;
     std::vector<Points> points;
+    std::vector<ReferenceType> types;
     std::vector<Expectation> expected;
 };
 

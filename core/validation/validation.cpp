@@ -7,6 +7,7 @@
 #include "document/evaluateddocument.h"
 #include "document/filewords.h"
 #include "document/resultwords.h"
+#include "document/thermal.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/numerics/leastsquarescircle.h"
 #include "kernel/numerics/minimumzone.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace palmer {
@@ -198,9 +200,44 @@ Found sheetFound(const Evaluated &e) {
     return {{}, fileWord(e.document.sheet()[static_cast<std::size_t>(row - rows.begin())].state)};
 }
 
-/// By kind of expectation; the last four need no test.
-constexpr std::array ways{parameterOf,     statisticOf,    contributionOf, driftOf, correctionOf, influenceOf,
-                          comparisonFound, compensationOf, trendOf,        feedOf,  circleOf,     sheetFound};
+Found responseFound(const Evaluated &e) {
+    const auto *drift =
+        e.test ? std::get_if<DriftMeasurement>(&e.document.document->tests[e.expected.test]->measurement)
+               : nullptr;
+    const std::vector<ThermalChannel> channels =
+        drift ? thermalChannels(*drift) : std::vector<ThermalChannel>();
+    if (channels.empty() || !channels.front().best)
+        return {};
+    const ThermalResponse &response = channels.front().responses[*channels.front().best];
+    return named(e.expected.id, {{"k", response.k}, {"tau", response.tau}, {"slope", response.slope}});
+}
+
+Found typeFound(const Evaluated &e) {
+    if (e.expected.test >= e.set.types.size())
+        return {};
+    const ReferenceType &type = e.set.types[e.expected.test];
+    const auto found = typeStatistics(type.values, type.tolerance);
+    if (!found)
+        return {};
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const Normality values = found->normality.value_or(Normality{none, none});
+    const Normality logarithms = found->logNormality.value_or(Normality{none, none});
+    return named(e.expected.id, {{"mean", found->mean},
+                                 {"s", found->s},
+                                 {"factor", found->factor},
+                                 {"normalLimit", found->normalLimit.value_or(none)},
+                                 {"logNormalLimit", found->logNormalLimit.value_or(none)},
+                                 {"confidenceOfLargest", found->confidenceOfLargest},
+                                 {"w", values.w},
+                                 {"probability", values.probability},
+                                 {"wOfLogarithms", logarithms.w},
+                                 {"probabilityOfLogarithms", logarithms.probability}});
+}
+
+/// By kind of expectation; those from the trends on need no test.
+constexpr std::array ways{parameterOf, statisticOf,     contributionOf, driftOf,  correctionOf,
+                          influenceOf, comparisonFound, compensationOf, trendOf,  feedOf,
+                          circleOf,    sheetFound,      responseFound,  typeFound};
 
 /// With an unknown edition the test's own would be used: make no comparison.
 const TestEvaluation *testOf(const Expectation &expected, const EvaluatedDocument &evaluated) {

@@ -44,15 +44,16 @@ Text methodText(const Expectation &expected) {
     if (isStudentsT(expected))
         return REPORT_TEXT("report", "t of the progression of the runs");
     if (expected.what != Expected::parameter || expected.of.empty())
-        return inOrder(expected.what,
-                       {REPORT_TEXT("report", "Results"), REPORT_TEXT("report", "Values per target"),
-                        REPORT_TEXT("report", "Contributions to the budget"),
-                        REPORT_TEXT("report", "E_VE, progression of the runs"),
-                        REPORT_TEXT("report", "Correction C to 20 °C"), REPORT_TEXT("report", "Diagnosis"),
-                        REPORT_TEXT("report", "Comparison of two tests"),
-                        REPORT_TEXT("report", "Compensation"), REPORT_TEXT("report", "Trend"),
-                        REPORT_TEXT("report", "Contouring feed"), REPORT_TEXT("report", "Reference circles"),
-                        REPORT_TEXT("report", "Acceptance sheet")});
+        return inOrder(
+            expected.what,
+            {REPORT_TEXT("report", "Results"), REPORT_TEXT("report", "Values per target"),
+             REPORT_TEXT("report", "Contributions to the budget"),
+             REPORT_TEXT("report", "E_VE, progression of the runs"),
+             REPORT_TEXT("report", "Correction C to 20 °C"), REPORT_TEXT("report", "Diagnosis"),
+             REPORT_TEXT("report", "Comparison of two tests"), REPORT_TEXT("report", "Compensation"),
+             REPORT_TEXT("report", "Trend"), REPORT_TEXT("report", "Contouring feed"),
+             REPORT_TEXT("report", "Reference circles"), REPORT_TEXT("report", "Acceptance sheet"),
+             REPORT_TEXT("report", "Response to the temperature"), REPORT_TEXT("report", "Type test")});
     struct Row {
         std::string_view of;
         Text text;

@@ -18,9 +18,11 @@ import numpy as np
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import comparison
 import jcgm101
+import thermal
 import trend
+import typetest
 from circular import Circle, Path
-from common import EXACT, Number, at_decimals, expected, fraction, mp, text_of, word
+from common import EXACT, SECOND, Number, at_decimals, expected, fraction, mp, text_of, word
 from positioning import DOWN, OF_LENGTH, UP, Axis, Trials, budget, contributions
 
 SIMPLE, PROVEN, REJECTION = "simple acceptance", "ISO 14253-1", "rejection proven"
@@ -670,6 +672,48 @@ def sheet():
             "expected": rows}
 
 
+# --- thermal responses and types -----------------------------------------------------------------------------------
+
+def relative(value, tolerance, digits, **place):
+    """A value that is checked relatively."""
+    return {**place, "value": Number(mpmath.nstr(mp(value), digits)), "relativeTolerance": tolerance, "source": SECOND}
+
+
+def responses():
+    """τ is known to the root of the digits of S, which is flat at its least."""
+    tests, rows = [], []
+    step = 60.0
+    for number, settled, gaps, k, tau in ((1, True, False, 3, 900), (2, False, False, 3, 900), (3, False, True, 5, 700),
+                                          (4, True, True, -4, 1500)):
+        dice = random.Random(6000 + number)
+        t = np.arange(121) * step
+        theta = np.round(20 + np.sin(t / 1500) + 0.4 * t / t[-1] + 0.2 * np.cos(t / 400), 3)
+        x = (k * (thermal.delayed(theta, step, tau) - 20) + 2e-4 * t + (0 if settled else 1.5) * np.exp(-t / tau)
+             + np.array([dice.gauss(0, 0.05) for _ in t]))
+        values = [reading(v / 1000, 7) for v in x]
+        for i in (7, 40, 41, 90) if gaps else ():
+            values[i] = None
+        tests.append({"kind": "drift", "id": f"r{number}", "axis": {"name": "X", "motion": "linear"}, "settled": settled,
+                      "times": [float(v) for v in t], "channels": [{"name": "X", "quantity": "deviation", "values": values}],
+                      "temperatures": [{"measures": "air", "values": [reading(v, 3) for v in theta]}]})
+        found = thermal.response(np.array([math.nan if v is None else float(v.text) for v in values]), theta, step, settled)
+        rows += [relative(value, 1e-4 if name == "slope" else 1e-5, 7, test=number, response=name)
+                 for name, value in found.items()]
+    return {**named("Thermal responses", "Réponses thermiques"), "quantity": "number", "tests": tests, "expected": rows}
+
+
+def types():
+    made, rows = [], []
+    for number, (count, content, confidence) in enumerate(((3, "0.95", "0.95"), (8, "0.95", "0.95"), (12, "0.9", "0.95"),
+                                                           (25, "0.99", "0.9")), 1):
+        dice = random.Random(7000 + number)
+        values = [Number(f"{5 * dice.lognormvariate(0, 0.6 if count == 25 else 0.3):.2f}") for _ in range(count)]
+        made.append({"values": values, "content": Number(content), "confidence": Number(confidence)})
+        rows += [relative(value, 1e-9, 12, test=number, typeTest=name)
+                 for name, value in typetest.statistics([v.text for v in values], content, confidence).items()]
+    return {**named("Types of machines", "Types de machines"), "quantity": "number", "types": made, "expected": rows}
+
+
 def tie(value):
     """Whether rounding to 0.1 µm is a matter of the last bit."""
     scaled = abs(mp(value)) * 10000
@@ -680,7 +724,7 @@ def sets(trials):
     return {"linear-axes": lambda: axes(trials, False), "rotary-axes": lambda: axes(trials, True),
             "circles": lambda: circles(trials), "diagnoses": diagnoses, "trends": trends, "drift-tests": drift_tests,
             "compensation": compensations, "comparisons": lambda: comparisons(trials),
-            "sheet": sheet}
+            "sheet": sheet, "responses": responses, "types": types}
 
 
 def main():

@@ -85,6 +85,8 @@ void ValidationTest::agreesWithAllReferenceData_data() {
     QTest::newRow("second/compensation") << 78;
     QTest::newRow("second/comparisons") << 147;
     QTest::newRow("second/sheet") << 72;
+    QTest::newRow("second/responses") << 12;
+    QTest::newRow("second/types") << 36;
 }
 
 void ValidationTest::agreesWithAllReferenceData() {
@@ -104,7 +106,7 @@ void ValidationTest::hasTheSetsOfTheSecondImplementation() {
     std::size_t values = 0;
     std::set<std::string> editions;
     std::set<std::string> of;
-    QCOMPARE(allReferenceFiles().size(), quickReferenceFiles().size() + 9);
+    QCOMPARE(allReferenceFiles().size(), quickReferenceFiles().size() + 11);
     for (const QString &name : allReferenceFiles().mid(quickReferenceFiles().size())) {
         const ReferenceSet set = embedded(QString(name).remove(":/reference/").remove(".json"));
         values += set.expected.size();
@@ -121,6 +123,7 @@ void ValidationTest::hasTheSetsOfTheSecondImplementation() {
     QCOMPARE(tests["diagnoses.json"], std::size_t(10));
     QCOMPARE(tests["drift-tests.json"], std::size_t(2 * 8)); // each with an axis or a circle that uses it
     QCOMPARE(tests["compensation.json"], std::size_t(5));
+    QCOMPARE(tests["responses.json"], std::size_t(4));
     QCOMPARE(tests["comparisons.json"], std::size_t(2 * 4));
     for (const char *edition : {"ISO 230-2:1988", "ISO 230-2:1997", "ISO 230-2:2006", "ISO 230-2:2014",
                                 "VDI/DGQ 3441:1977", "ISO 230-4:1996", "ISO 230-4:2005", "ISO 230-4:2022"})
@@ -138,9 +141,9 @@ void ValidationTest::seesADifference() {
     QVERIFY(!validate(set).agrees());
     set.expected[0].edition = "ISO 230-2:2099";
     QVERIFY(!validate(set).agrees());
-    for (const char *name :
-         {"ballbar-pair", "circular-correction", "iso230-4-annex-c", "nist-circles", "second/trends",
-          "second/diagnoses", "second/drift-tests", "second/compensation"}) {
+    for (const char *name : {"ballbar-pair", "circular-correction", "iso230-4-annex-c", "nist-circles",
+                             "second/trends", "second/diagnoses", "second/drift-tests", "second/compensation",
+                             "second/responses", "second/types"}) {
         ReferenceSet changed = embedded(name);
         Expectation &last = changed.expected.back();
         last.value += (last.relative ? last.value : 1) * 2.5 * last.tolerance;
