@@ -9864,10 +9864,6 @@
         <translation>Machines sans essai comparable</translation>
     </message>
     <message>
-        <source>The newest comparable test of each machine; U is stated and not subtracted. Upper tolerance limit: mean + k·s, log-normal exp(m + k·s) of the logarithms, k = t′(N − 1; z·√N)/√N of the noncentral t distribution. Both are shown; no test chooses between them. Largest value: confidence 1 − p^N. Normality: Shapiro–Francia, from 8 machines on.</source>
-        <translation>Essai comparable le plus récent de chaque machine&#x202f;; U est indiquée et non retranchée. Limite supérieure de tolérance&#xa0;: moyenne + k·s, ou log-normale exp(m + k·s) des logarithmes, k = t′(N − 1&#x202f;; z·√N)/√N de la loi de Student non centrée. Les deux sont affichées&#x202f;; aucun test ne choisit entre elles. Plus grande valeur&#xa0;: niveau de confiance 1 − p^N. Normalité&#xa0;: Shapiro–Francia, à partir de 8 machines.</translation>
-    </message>
-    <message>
         <source>doubtful</source>
         <translation>douteuse</translation>
     </message>
@@ -10149,10 +10145,6 @@
         <translation>Commun aux deux essais&#xa0;: %1&#x202f;; toutes les autres erreurs sont propres à chacun.</translation>
     </message>
     <message>
-        <source>U of the difference: root of the sum of the squares of both U and of the repeatability; nothing shared is known.</source>
-        <translation>U de la différence&#xa0;: racine de la somme des carrés des deux U et de la répétabilité&#x202f;; rien de commun n’est connu.</translation>
-    </message>
-    <message>
         <source>“Changed” where the difference exceeds its U, always between these two sessions. Of A, E, M, R and B together about 12 % of unchanged pairs show one changed.</source>
         <translation>«&#xa0;Changé&#xa0;» lorsque la différence dépasse son U, toujours entre ces deux séances. Parmi A, E, M, R et B réunis, environ 12&#xa0;% des couples inchangés en montrent un changé.</translation>
     </message>
@@ -10415,10 +10407,6 @@
         <translation>tout le relevé, %1</translation>
     </message>
     <message>
-        <source>temperature held to ± %1, at worst</source>
-        <translation>θ tenue à ± %1, au pire</translation>
-    </message>
-    <message>
         <source>steps of time differ: no response</source>
         <translation>pas de temps inégaux&#xa0;: pas de réponse</translation>
     </message>
@@ -10443,10 +10431,6 @@
         <translation>température trop bruitée</translation>
     </message>
     <message>
-        <source>Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error, the largest range within a duration T.</source>
-        <translation>Interprétation, pas un résultat de l’ISO 230-2. E_VE(T)&#xa0;: erreur de variation environnementale, plus grande étendue sur une durée T.</translation>
-    </message>
-    <message>
         <source>Drift</source>
         <translation>Dérive</translation>
     </message>
@@ -10466,14 +10450,6 @@
     <message>
         <source>Share of U²(%1)</source>
         <translation>Part de U²(%1)</translation>
-    </message>
-    <message>
-        <source>x = a + b·t + k·y; τ·dy/dt = θ − y. k and b by least squares, τ by a search; intervals of 95 % for noise that may be correlated. Of several temperatures the one that explains most.</source>
-        <translation>x = a + b·t + k·y&#x202f;; τ·dy/dt = θ − y. k et b par moindres carrés, τ par balayage&#x202f;; intervalles à 95&#xa0;% pour un bruit qui peut être corrélé. De plusieurs températures, celle qui explique le mieux.</translation>
-    </message>
-    <message>
-        <source>%1 was warm after %2.</source>
-        <translation>%1 était en température après %2.</translation>
     </message>
     <message>
         <source>E_VE of %1, whole record</source>
@@ -10561,10 +10537,6 @@
         <translation>Sources que les deux cercles montrent</translation>
     </message>
     <message>
-        <source>U: 95 % from both fits</source>
-        <translation>U&#xa0;: 95&#xa0;% d’après les deux ajustements</translation>
-    </message>
-    <message>
         <source>each about its least squares centre</source>
         <translation>chacune autour de son centre des moindres carrés</translation>
     </message>
@@ -10645,10 +10617,6 @@
         <translation>Répétabilité seule (%1)&#xa0;: %2.</translation>
     </message>
     <message>
-        <source>U of the difference: one simulation of both tests (JCGM 101), %1 trials, 95.45 %; whole cycles drawn anew.</source>
-        <translation>U de la différence&#xa0;: une simulation des deux essais (JCGM&#xa0;101), %1 tirages, 95,45&#xa0;%&#x202f;; cycles entiers tirés à nouveau.</translation>
-    </message>
-    <message>
         <source>list, trend: what has changed in each test since the last one of its axis or plane; reads their files</source>
         <translation>list, trend&#xa0;: ce qui a changé à chaque essai depuis le dernier de son axe ou plan&#x202f;; lit leurs fichiers</translation>
     </message>
@@ -10679,15 +10647,71 @@
     </message>
     <message>
         <source>The trend follows from the attached values; the tests themselves are not attached.</source>
-        <translation>La tendance découle des valeurs jointes ; les essais eux-mêmes ne sont pas joints.</translation>
+        <translation>La tendance découle des valeurs jointes&#x202f;; les essais eux-mêmes ne sont pas joints.</translation>
     </message>
     <message>
         <source>this PDF is the history of a machine: it carries the values of its tests and no test file; verify it, or open the tests it names</source>
-        <translation>ce PDF est l’historique d’une machine&#xa0;: il porte les valeurs de ses essais, sans fichier d’essai ; vérifiez-le ou ouvrez les essais qu’il nomme</translation>
+        <translation>ce PDF est l’historique d’une machine&#xa0;: il porte les valeurs de ses essais, sans fichier d’essai&#x202f;; vérifiez-le ou ouvrez les essais qu’il nomme</translation>
     </message>
     <message>
         <source>these are no data of a printed history, or a newer program wrote them</source>
         <translation>ce ne sont pas les données d’un historique imprimé, ou un programme plus récent les a écrites</translation>
+    </message>
+    <message>
+        <source>The newest comparable test of each machine; U is stated and not subtracted. Upper tolerance limit: mean + k·s, log-normal exp(m + k·s) of the logarithms, k = t′(N − 1; z·√N)/√N of the noncentral t distribution (Boost.Math). Both are shown; no test chooses between them. Largest value: confidence 1 − p^N, by order statistics. Normality, from 8 machines on: Shapiro and Francia, J. Am. Stat. Assoc. 67 (1972), 215–216; probability: Royston, Statistics in Medicine 12 (1993), 181–184.</source>
+        <translation>Essai comparable le plus récent de chaque machine&#x202f;; U est indiquée et non retranchée. Limite supérieure de tolérance&#xa0;: moyenne + k·s, ou log-normale exp(m + k·s) des logarithmes, k = t′(N − 1&#x202f;; z·√N)/√N de la loi de Student non centrée (Boost.Math). Les deux sont affichées&#x202f;; aucun test ne choisit entre elles. Plus grande valeur&#xa0;: niveau de confiance 1 − p^N, par les statistiques d’ordre. Normalité, à partir de 8 machines&#xa0;: Shapiro et Francia, J. Am. Stat. Assoc. 67 (1972), 215–216&#x202f;; probabilité&#xa0;: Royston, Statistics in Medicine 12 (1993), 181–184.</translation>
+    </message>
+    <message>
+        <source>value ± U</source>
+        <translation>valeur ± U</translation>
+    </message>
+    <message>
+        <source>U: 95 % from both fits; degrees of freedom by JCGM 100, G.4</source>
+        <translation>U&#xa0;: 95&#xa0;% d’après les deux ajustements&#x202f;; degrés de liberté selon JCGM&#xa0;100, G.4</translation>
+    </message>
+    <message>
+        <source>U of the difference: one simulation of both tests (JCGM 101), %1 trials, 95.45 %. Whole cycles are drawn anew, a method of this program: residuals widened by half of Student’s t of 2n − 2 degrees of freedom; band of the curves by Bonferroni.</source>
+        <translation>U de la différence&#xa0;: une simulation des deux essais (JCGM&#xa0;101), %1 tirages, 95,45&#xa0;%. Les cycles entiers sont tirés à nouveau, méthode propre à ce programme&#xa0;: résidus élargis par la moitié du t de Student à 2n − 2 degrés de liberté&#x202f;; bande des courbes selon Bonferroni.</translation>
+    </message>
+    <message>
+        <source>U of the difference: root of the sum of the squares of both U and of the repeatability (JCGM 100); nothing shared is known.</source>
+        <translation>U de la différence&#xa0;: racine de la somme des carrés des deux U et de la répétabilité (JCGM&#xa0;100)&#x202f;; rien de commun n’est connu.</translation>
+    </message>
+    <message>
+        <source>nothing is proven without a measurement uncertainty</source>
+        <translation>rien n’est prouvé sans incertitude de mesure</translation>
+    </message>
+    <message>
+        <source>nothing is proven: not corrected to 20 °C</source>
+        <translation>rien n’est prouvé&#xa0;: sans correction à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>nothing is proven: not shown to hold at 20 °C</source>
+        <translation>rien n’est prouvé&#xa0;: validité à 20&#xa0;°C non établie</translation>
+    </message>
+    <message>
+        <source>θ held to ± %1, at worst</source>
+        <translation>θ tenue à ± %1, au pire</translation>
+    </message>
+    <message>
+        <source>Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error of the model of ISO 230-2:2006 Annex A, the largest range within a duration T.</source>
+        <translation>Interprétation, pas un résultat de l’ISO 230-2. E_VE(T)&#xa0;: erreur de variation environnementale du modèle de l’ISO&#xa0;230-2:2006, annexe&#xa0;A, plus grande étendue sur une durée T.</translation>
+    </message>
+    <message>
+        <source>U of the budget, after the model of ISO 230-2:2006 Annex A, with that E_VE.</source>
+        <translation>U du bilan, selon le modèle de l’ISO&#xa0;230-2:2006, annexe&#xa0;A, avec cet E_VE.</translation>
+    </message>
+    <message>
+        <source>θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) plus E_VE(T) of x − k·y.</source>
+        <translation>θ tenue à ± Δ&#xa0;: au plus 2Δ·|k|·(1 − e^(−T/τ)) plus E_VE(T) de x − k·y.</translation>
+    </message>
+    <message>
+        <source>x = a + b·t + k·y; τ·dy/dt = θ − y: one time constant, a model of this program. k and b by least squares, τ by a search; intervals of 95 % (Student’s t, degrees of freedom by JCGM 100, G.4) for noise that may be correlated, its spectrum taken from the residuals; shown by an F test. Of several temperatures the one that explains most.</source>
+        <translation>x = a + b·t + k·y&#x202f;; τ·dy/dt = θ − y&#xa0;: une seule constante de temps, modèle propre à ce programme. k et b par moindres carrés, τ par balayage&#x202f;; intervalles à 95&#xa0;% (t de Student, degrés de liberté selon JCGM&#xa0;100, G.4) pour un bruit qui peut être corrélé, dont le spectre est tiré des résidus&#x202f;; établi par un test F. De plusieurs températures, celle qui explique le mieux.</translation>
+    </message>
+    <message>
+        <source>%1 was warm after %2: less than a tenth of the range of y was left.</source>
+        <translation>%1 était en température après %2&#xa0;: il restait moins d’un dixième de l’étendue de y.</translation>
     </message>
 </context>
 </TS>

@@ -154,6 +154,7 @@ struct FigureLine {
     QString label; ///< short, at the right end of the line; may be empty
     QString name;  ///< in the legend
     std::vector<QPointF> points;
+    bool dots = false; ///< the points alone, not joined
 
     bool operator==(const FigureLine &) const = default;
 };
@@ -308,26 +309,48 @@ struct CircleFigure {
     bool operator==(const CircleFigure &) const = default;
 };
 
-/// A bar of a bar figure: its name on the left, a bar from 0, its numbers on the right.
+/// A row of a bar figure: its name on the left, a bar from 0 or a dot, its numbers on the right.
 struct Bar {
     QString id;
     QString name;
-    QString subscript;  ///< index at the end of the name
-    double size = 0;    ///< ≥ 0, in the unit of the axis
-    QString value;      ///< "3.60"; a dash if unknown
-    QString share;      ///< "54 %"; a dash if unknown
-    bool first = false; ///< to be improved first
+    QString subscript;                   ///< index at the end of the name
+    double size = 0;                     ///< ≥ 0, in the unit of the axis
+    QString value;                       ///< "3.60"; a dash if unknown
+    QString share;                       ///< "54 %"; a dash if unknown
+    bool first = false;                  ///< to be improved first
+    std::optional<double> expanded = {}; ///< of a dot: half the length of its error bar
+    std::optional<double> limit = {};    ///< agreed: a mark in the row of a dot
 
     bool operator==(const Bar &) const = default;
 };
 
-/// Bars below each other on one scale from 0: contributions to an uncertainty, the largest first.
+/// A line across all rows of a bar figure.
+struct BarLine {
+    double at = 0;
+    QString text;        ///< in the legend
+    bool chosen = false; ///< solid, otherwise dashed
+
+    bool operator==(const BarLine &) const = default;
+};
+
+/// Texts in the legend of dots; empty: not drawn there.
+struct DotLegend {
+    QString dot;
+    QString limit;
+
+    bool operator==(const DotLegend &) const = default;
+};
+
+/// Bars below each other on one scale from 0: contributions to an uncertainty, the largest first. Or, with a
+/// legend of dots, values with their U as dots, and lines across them: the machines of a type.
 struct BarFigure {
     QString title;
     QString shareTitle; ///< heading of the shares
     QString note;       ///< what to improve first; may be empty
     FigureAxis x;
     std::vector<Bar> bars;
+    std::vector<BarLine> lines = {};
+    std::optional<DotLegend> dots = {};
 
     bool operator==(const BarFigure &) const = default;
 };

@@ -106,8 +106,10 @@ void add(PointTable &table, const CircleFigure &figure, const Language &language
 }
 
 void add(PointTable &table, const BarFigure &figure, const Language &language) {
-    table.head(figure.title, language.text(REPORT_TEXT("report", "Contribution")), QStringLiteral("i"),
-               headingOf(figure.x));
+    table.head(
+        figure.title,
+        language.text(figure.dots ? REPORT_TEXT("report", "Machine") : REPORT_TEXT("report", "Contribution")),
+        QStringLiteral("i"), headingOf(figure.x));
     for (std::size_t i = 0; i < figure.bars.size(); ++i)
         table.point(figure.bars[i].name + figure.bars[i].subscript, static_cast<double>(i + 1),
                     figure.bars[i].size);

@@ -118,7 +118,9 @@ struct Describe {
     QString operator()(const BarFigure &figure) const {
         QStringList parts;
         for (const Bar &bar : figure.bars)
-            parts << bar.name + bar.subscript + u' ' + bar.value + u' ' + bar.share;
+            parts << (bar.name + bar.subscript + u' ' + bar.value + u' ' + bar.share).trimmed();
+        for (const BarLine &line : figure.lines)
+            parts << line.text;
         return titled(figure.title, parts << figure.note);
     }
 

@@ -5,6 +5,7 @@
 #include "document/filewords.h"
 #include "figures/curvefield.h"
 #include "figures/ticks.h"
+#include "language/rounding.h"
 #include "register/jsonline.h"
 #include "register/listing.h"
 #include "register/trendoutput.h"
@@ -21,6 +22,18 @@ namespace {
 constexpr int scoreDecimals = 3;
 constexpr int factorDecimals = 4;
 constexpr double mostTicks = 6;
+
+QString nameOf(const ListedMachine &machine) {
+    const QString title = machine.title();
+    return machine.serialNumber.isEmpty() || title.contains(machine.serialNumber)
+               ? title
+               : title + QStringLiteral(" · ") + machine.serialNumber;
+}
+
+Text limitName(TypeDistribution distribution) {
+    return distribution == TypeDistribution::logNormal ? REPORT_TEXT("report", "Tolerance limit, log-normal")
+                                                       : REPORT_TEXT("report", "Tolerance limit, normal");
+}
 
 Json machineJson(const ListedMachine &machine) {
     return {{"name", orNull(machine.name.toStdString())},
@@ -98,24 +111,29 @@ public:
                 "report",
                 "The newest comparable test of each machine; U is stated and not subtracted. Upper tolerance "
                 "limit: mean + k·s, log-normal exp(m + k·s) of the logarithms, k = t′(N − 1; z·√N)/√N of the "
-                "noncentral t distribution. Both are shown; no test chooses between them. Largest value: "
-                "confidence 1 − p^N. Normality: Shapiro–Francia, from 8 machines on.")),
+                "noncentral t distribution (Boost.Math). Both are shown; no test chooses between them. "
+                "Largest "
+                "value: confidence 1 − p^N, by order statistics. Normality, from 8 machines on: Shapiro and "
+                "Francia, J. Am. Stat. Assoc. 67 (1972), 215–216; probability: Royston, Statistics in "
+                "Medicine "
+                "12 (1993), 181–184.")),
             TextSize::small});
         return report;
     }
 
     void addFigures(Report &report) const {
-        constexpr double barHeight = 6; // mm
-        constexpr double axisHeight = 14;
-        constexpr double quantileHeight = 62;
+        constexpr double quantileHeight = 62; // mm, like those below
+        constexpr double rowOfDots = 5.6;
+        constexpr double aroundDots = 26; // scale and legend
+        constexpr double mostDots = 200;
         constexpr double half = 83;
         report.footerLeft = report.title;
         report.footerCentre = QStringLiteral("Palmer " PALMER_VERSION);
         report.footerRight = m_language.text(REPORT_TEXT("report", "page %1 / %2"));
-        BarFigure bars = typeFigure(m_test, m_language);
-        report.blocks.emplace_back(Heading{2, bars.title});
-        const double height = axisHeight + barHeight * static_cast<double>(bars.bars.size());
-        report.blocks.emplace_back(FigureBlock{std::move(bars), textWidth, height});
+        BarFigure dots = typeFigure(m_test, m_language);
+        report.blocks.emplace_back(Heading{2, dots.title});
+        const double height = aroundDots + rowOfDots * static_cast<double>(dots.bars.size());
+        report.blocks.emplace_back(FigureBlock{std::move(dots), textWidth, std::min(height, mostDots)});
         if (!m_test.statistics)
             return;
         const auto part = [&](bool logarithms) -> std::vector<Part> {
@@ -167,14 +185,12 @@ private:
             percent(m_test.tolerance.content) + QStringLiteral(", ") + percent(m_test.tolerance.confidence) +
                 QStringLiteral(" (k\u00A0=\u00A0") +
                 m_language.number(found.factor, Quantity::number, factorDecimals) + u')');
-        const bool isLog = m_test.distribution == TypeDistribution::logNormal;
-        const auto limit = [&](const Text &key, const std::optional<double> &number, bool chosen) {
-            add(key, value(number) +
-                         (chosen ? QStringLiteral(" · ") + m_language.text(REPORT_TEXT("report", "chosen"))
-                                 : QString()));
-        };
-        limit(REPORT_TEXT("report", "Tolerance limit, log-normal"), found.logNormalLimit, isLog);
-        limit(REPORT_TEXT("report", "Tolerance limit, normal"), found.normalLimit, !isLog);
+        for (const TypeDistribution one : {TypeDistribution::logNormal, TypeDistribution::normal})
+            add(limitName(one),
+                value(found.limit(one)) +
+                    (one == m_test.distribution
+                         ? QStringLiteral(" · ") + m_language.text(REPORT_TEXT("report", "chosen"))
+                         : QString()));
         add(REPORT_TEXT("report", "Largest value"), say(REPORT_TEXT("report", "%1 with a confidence of %2"),
                                                         {value(found.sorted.back()).toStdString(),
                                                          percent(found.confidenceOfLargest).toStdString()}));
@@ -183,11 +199,8 @@ private:
         return result;
     }
 
-    [[nodiscard]] QString named(const ListedMachine &machine) const {
-        const QString title = machine.title();
-        return machine.serialNumber.isEmpty() || title.contains(machine.serialNumber)
-                   ? title
-                   : title + QStringLiteral(" · ") + machine.serialNumber;
+    [[nodiscard]] QString limitText(const std::optional<double> &limit) const {
+        return limit ? m_language.number(*limit, m_quantity, limitDecimals(*limit, m_quantity)) : QString();
     }
 
     [[nodiscard]] Table members() const {
@@ -197,16 +210,19 @@ private:
                          {m_language.text(REPORT_TEXT("report", "Date"))},
                          {plainSymbolOf(m_test.parameter), unit, Alignment::decimal},
                          {QStringLiteral("U"), unit, Alignment::decimal},
+                         {m_language.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal},
                          {m_language.text(REPORT_TEXT("report", "Normal score")), {}, Alignment::decimal}};
         for (std::size_t i = 0; i < m_test.members.size(); ++i) {
             const TypeMember &member = m_test.members[i];
             const ShownValue shown = shownResult(member.result, m_test.angular, m_language);
-            table.rows.push_back({Cell(named(member.machine)),
-                                  Cell(m_language.shortDate(member.test.test.date.value_or(""))),
-                                  Cell(shown.value), Cell(shown.uncertainty),
-                                  Cell(m_language.number(normalScore(i, m_test.members.size()),
-                                                         Quantity::number, scoreDecimals))});
+            table.rows.push_back(
+                {Cell(nameOf(member.machine)), Cell(m_language.shortDate(member.test.test.date.value_or(""))),
+                 Cell(shown.value), Cell(shown.uncertainty), Cell(limitText(member.result.limit)),
+                 Cell(m_language.number(normalScore(i, m_test.members.size()), Quantity::number,
+                                        scoreDecimals))});
         }
+        constexpr std::size_t limitColumn = 4;
+        leaveOutEmptyColumns(table, limitColumn, limitColumn);
         return table;
     }
 
@@ -219,7 +235,7 @@ private:
             const RegisteredTest &test = one.test.test;
             const TrendSeries series{test.edition, test.feed,      test.travel, test.correction,
                                      test.setUp,   one.difference, {}};
-            table.rows.push_back({Cell(named(one.machine)),
+            table.rows.push_back({Cell(nameOf(one.machine)),
                                   Cell(m_language.shortDate(test.date.value_or(""))),
                                   Cell(seriesName(series, test.angular, m_language))});
         }
@@ -270,31 +286,39 @@ BarFigure typeFigure(const TypeTest &test, const Language &language) {
         {REPORT_TEXT("report", "%1 of the machines of the type"), {symbol.toStdString()}, {}});
     figure.x.symbol = symbol;
     figure.x.unit = language.unit(quantity);
-    double largest = 0;
-    const auto add = [&](const QString &id, const QString &name, double value, const QString &shown,
-                         bool first) {
-        figure.bars.push_back({id, name, {}, value * scale, shown, {}, first});
-        largest = std::max(largest, value * scale);
-    };
+    figure.dots = DotLegend{language.text(REPORT_TEXT("report", "value ± U")), {}};
+    Bounds range;
     for (std::size_t i = 0; i < test.members.size(); ++i) {
         const TypeMember &member = test.members[i];
-        const ShownValue shown = shownResult(member.result, test.angular, language);
-        add(QStringLiteral("machine%1").arg(i + 1), member.machine.title(), *member.result.value,
-            shown.text(), false);
-    }
-    if (test.statistics) {
-        for (const auto &[distribution, name] :
-             {std::pair(TypeDistribution::logNormal, REPORT_TEXT("report", "Tolerance limit, log-normal")),
-              std::pair(TypeDistribution::normal, REPORT_TEXT("report", "Tolerance limit, normal"))}) {
-            if (const auto limit = test.statistics->limit(distribution))
-                add(distribution == TypeDistribution::normal ? QStringLiteral("normal")
-                                                             : QStringLiteral("logNormal"),
-                    language.text(name), *limit, language.number(*limit, quantity, 1),
-                    distribution == test.distribution);
+        Bar dot{QStringLiteral("machine%1").arg(i + 1),
+                nameOf(member.machine),
+                {},
+                *member.result.value * scale,
+                shownResult(member.result, test.angular, language).text(),
+                {}};
+        if (member.result.expandedUncertainty)
+            dot.expanded = *member.result.expandedUncertainty * scale;
+        if (member.result.limit) {
+            dot.limit = *member.result.limit * scale;
+            figure.dots->limit = language.text(REPORT_TEXT("report", "agreed limit"));
+            range.include(*dot.limit);
         }
+        range.include(std::max(dot.size - dot.expanded.value_or(0), 0.0));
+        range.include(dot.size + dot.expanded.value_or(0));
+        figure.bars.push_back(std::move(dot));
     }
-    constexpr double room = 1.05;
-    setRange(figure.x, 0, largest > 0 ? largest * room : 1, mostTicks, TickSteps::values, language);
+    for (const TypeDistribution distribution : {TypeDistribution::logNormal, TypeDistribution::normal}) {
+        const auto limit = test.statistics ? test.statistics->limit(distribution) : std::nullopt;
+        if (!limit)
+            continue;
+        figure.lines.push_back(
+            {*limit * scale,
+             language.text(limitName(distribution)) + u' ' + language.quantity(*limit, quantity, 1),
+             distribution == test.distribution});
+        range.include(*limit * scale);
+    }
+    const Bounds shown = range.widened(valueMargin, scale * 1e-6);
+    setRange(figure.x, std::max(shown.lowest, 0.0), shown.highest, mostTicks, TickSteps::values, language);
     return figure;
 }
 
@@ -311,18 +335,35 @@ LineFigure quantileFigure(const TypeTest &test, bool logarithms, const Language 
     const QString symbol = plainSymbolOf(test.parameter);
     figure.y.quantity = logarithms ? QStringLiteral("ln ") + symbol : symbol;
     figure.y.unit = language.unit(quantity);
-    FigureLine line;
+    FigureLine dots{LineRole::predictedUp, {}, {}, {}, true};
+    Bounds x;
     Bounds y;
+    double squares = 0; // the mean of the scores is 0
+    double product = 0;
+    double sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const double value = values[i] * scale;
-        line.points.emplace_back(normalScore(i, values.size()), logarithms ? std::log(value) : value);
-        y.include(line.points.back().y());
+        const double value = logarithms ? std::log(values[i] * scale) : values[i] * scale;
+        const double score = normalScore(i, values.size());
+        dots.points.emplace_back(score, value);
+        squares += score * score;
+        product += score * value;
+        sum += value;
     }
+    FigureLine line{LineRole::air, {}, {}, {}};
+    for (const QPointF &end : {dots.points.front(), dots.points.back()})
+        line.points.emplace_back(end.x(),
+                                 sum / static_cast<double>(values.size()) + product / squares * end.x());
+    for (const FigureLine *one : {&dots, &line}) {
+        for (const QPointF &point : one->points) {
+            x.include(point.x());
+            y.include(point.y());
+        }
+    }
+    const Bounds scores = x.widened(valueMargin, 0.1);
     const Bounds range = y.widened(valueMargin, 0.1);
-    setRange(figure.x, line.points.front().x(), line.points.back().x(), mostTicks, TickSteps::values,
-             language);
+    setRange(figure.x, scores.lowest, scores.highest, mostTicks, TickSteps::values, language);
     setRange(figure.y, range.lowest, range.highest, mostTicks, TickSteps::values, language);
-    figure.lines.push_back(std::move(line));
+    figure.lines = {std::move(line), std::move(dots)};
     return figure;
 }
 

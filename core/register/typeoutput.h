@@ -14,11 +14,11 @@ namespace palmer {
 /// Returns the type test as one line of JSON (palmer-type-1.schema.json); values in mm or degrees.
 [[nodiscard]] QByteArray typeTestJson(const TypeTest &test);
 
-/// The machines by value, named, with their U, then both limits: bars on one scale from 0.
+/// The machines by value, named, as dots with their U and agreed limits; both tolerance limits across them.
 [[nodiscard]] BarFigure typeFigure(const TypeTest &test, const Language &language);
 
-/// The sorted values, or their logarithms, over their normal scores: a straight line if they are normal.
-/// Empty for logarithms where a value is not > 0.
+/// The sorted values, or their logarithms, over their normal scores, with the straight line that lies nearest
+/// to them: on it if they are normal. Empty for logarithms where a value is not > 0.
 [[nodiscard]] LineFigure quantileFigure(const TypeTest &test, bool logarithms, const Language &language);
 
 /// Returns a readable report: the limits, then the machines with their values and U; for paper with figures

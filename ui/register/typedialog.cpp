@@ -29,6 +29,7 @@ TypeDialog::TypeDialog(std::vector<TypeTest> tests, QWidget *parent)
     , m_tests(std::move(tests))
     , m_parameter(made<QComboBox>("typeParameter", this))
     , m_figure(made<LineView>("typeFigure", this))
+    , m_quantiles{made<LineView>("typeQuantiles", this), made<LineView>("typeLogarithms", this)}
     , m_text(made<QTextBrowser>("typeText", this)) {
     constexpr QSize usual(900, 720);
     setObjectName(QStringLiteral("typeDialog"));
@@ -51,7 +52,9 @@ TypeDialog::TypeDialog(std::vector<TypeTest> tests, QWidget *parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_parameter, &QComboBox::currentIndexChanged, this, &TypeDialog::show);
     auto *choice = inRow(8, {label, m_parameter, Placed::stretch()});
-    inColumn(this, styleMargins, styleSpacing, {choice, {m_figure, 1}, {m_text, 1}, buttons});
+    auto *quantiles = inColumn(styleSpacing, {m_quantiles[0], m_quantiles[1]});
+    auto *figures = inRow(8, {{m_figure, 3}, {quantiles, 2}});
+    inColumn(this, styleMargins, styleSpacing, {choice, {figures, 1}, {m_text, 1}, buttons});
     resize(sizeOnScreen(*this, usual));
     show(0);
 }
@@ -59,6 +62,14 @@ TypeDialog::TypeDialog(std::vector<TypeTest> tests, QWidget *parent)
 void TypeDialog::show(int index) {
     const TypeTest &test = m_tests.at(static_cast<std::size_t>(index));
     m_figure->setFigure(typeFigure(test, windowLanguage()));
+    for (const std::size_t i : {0U, 1U}) {
+        LineFigure figure = quantileFigure(test, i == 1, windowLanguage());
+        const bool shown = !figure.lines.empty();
+        m_quantiles.at(i)->setVisible(shown);
+        m_quantiles.at(i)->setAccessibleName(figure.title);
+        m_quantiles.at(i)->setToolTip(figure.title);
+        m_quantiles.at(i)->setFigure(shown ? std::optional<Figure>(std::move(figure)) : std::nullopt);
+    }
     m_text->setHtml(reportHtml(composeTypeTest(test, windowLanguage())));
 }
 

@@ -6,13 +6,14 @@
 #include "ui/qtforward.h"
 
 #include <QDialog>
+#include <array>
 
 namespace palmer::ui {
 
 class FigureCard;
 
 /// The type test of the machines of one type, a parameter of an axis at a time: the values of the machines,
-/// named, both tolerance limits, normality; saved as a page.
+/// named, both tolerance limits, quantile plots, normality; saved as a page.
 class TypeDialog : public QDialog {
     Q_OBJECT
 
@@ -27,6 +28,7 @@ private:
     std::vector<TypeTest> m_tests;
     QComboBox *m_parameter;
     FigureCard *m_figure;
+    std::array<FigureCard *, 2> m_quantiles; ///< of the values, of their logarithms
     QTextBrowser *m_text;
 };
 

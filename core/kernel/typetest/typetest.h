@@ -13,8 +13,9 @@ namespace palmer {
 /// How the values of a type are distributed: their logarithms, or they themselves, normally.
 enum class TypeDistribution { logNormal, normal };
 
-/// The Shapiro–Francia test of a normal distribution.
-/// Source: P. Royston, Statistics and Computing 3 (1993), 117–119 (the approximation of its distribution).
+/// The Shapiro–Francia test of a normal distribution. Sources: S. S. Shapiro, R. S. Francia, Journal of the
+/// American Statistical Association 67 (1972), 215–216; P. Royston, Statistics in Medicine 12 (1993), 181–184
+/// (the approximation of its distribution).
 struct Normality {
     double w = 0;           ///< W': squared correlation of the sorted values with normal scores
     double probability = 0; ///< of a W' as small with normal values

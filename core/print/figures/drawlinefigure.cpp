@@ -37,8 +37,16 @@ public:
         m_frame.inside([&] {
             p.setBrush(Qt::NoBrush);
             for (const FigureLine &line : m_figure.lines) {
-                p.setPen(linePen(line.role, m_medium));
-                p.drawPolyline(m_frame.polyline(line.points));
+                const QPen pen = linePen(line.role, m_medium);
+                p.setPen(pen);
+                if (!line.dots) {
+                    p.drawPolyline(m_frame.polyline(line.points));
+                    continue;
+                }
+                p.setBrush(pen.color());
+                for (const QPointF &point : line.points)
+                    p.drawEllipse(m_frame.at(point), dotRadius, dotRadius);
+                p.setBrush(Qt::NoBrush);
             }
         });
         drawLabels();
@@ -76,18 +84,9 @@ private:
     [[nodiscard]] QRectF plotIn(const QRectF &area) const {
         const double left = widthOfNumbers(m_figure.y, lineFrame, titleCentre + figureTextSize);
         const double room = area.width() - left - rightMargin;
-        double used = 0;
-        int rows = 1;
-        for (const PlotEntry &entry : m_entries) {
-            const double width = widthOf(entry, lineFrame) + lineFrame.entryGap;
-            if (used > 0 && used + width > room) {
-                ++rows;
-                used = 0;
-            }
-            used += width;
-        }
-        const double below =
-            m_entries.empty() ? lineFrame.title + titleCentre : lineFrame.legend + rows * legendPitch;
+        const double below = m_entries.empty()
+                                 ? lineFrame.title + titleCentre
+                                 : lineFrame.legend + legendRows(m_entries, room, lineFrame) * legendPitch;
         const double bottom = below - heightSaved();
         return {area.left() + left, area.top() + topMargin, room, area.height() - topMargin - bottom};
     }

@@ -28,13 +28,14 @@ inline constexpr FrameMeasures curveOnPaper  {8.1 * mm, 13.4 * mm, 10 * mm, 3 * 
 inline constexpr FrameMeasures curveOnScreen {0,        23,        22,      3 * mm, 4.5,      18,  4.5, false, 9.75};
 inline constexpr FrameMeasures lineFrame     {7.4 * mm, 12 * mm,   10 * mm, 0,      2 * mm,   7 * mm,  7 * mm};
 inline constexpr FrameMeasures histogramFrame{7.8 * mm, 13 * mm, 5 * mm, 2.6 * mm, 1.5 * mm, 5 * mm, 1.5 * mm, true};
-inline constexpr FrameMeasures barFrame      {8.1 * mm};
+inline constexpr FrameMeasures barFrame      {8.1 * mm, 13 * mm,   7 * mm, 0,      1.5 * mm, 5 * mm,  5 * mm};
 // clang-format on
 inline constexpr FrameMeasures trendFrame{
     .numbers = 3.2 * mm / 1.6, .numbersFrom = 0.8 * mm, .tick = 0.8 * mm, .tickGap = 0.7 * mm};
 
 inline constexpr double titleCentre = 2.3 * mm; ///< of the rotated title, from the left edge
 inline constexpr double legendPitch = 4.2 * mm; ///< between rows
+inline constexpr double dotRadius = 0.8 * mm;   ///< of a value
 
 // Mark that follows the pointer, pixels.
 inline constexpr double pointerReach = 14;

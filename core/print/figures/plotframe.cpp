@@ -27,6 +27,20 @@ double widthOf(const PlotEntry &entry, const FrameMeasures &measures) {
     return entry.sampleWidth + measures.sampleGap + textWidth(entry.text);
 }
 
+int legendRows(std::span<const PlotEntry> entries, double room, const FrameMeasures &measures) {
+    double used = 0;
+    int rows = entries.empty() ? 0 : 1;
+    for (const PlotEntry &entry : entries) {
+        const double width = widthOf(entry, measures) + measures.entryGap;
+        if (used > 0 && used + width > room) {
+            ++rows;
+            used = 0;
+        }
+        used += width;
+    }
+    return rows;
+}
+
 PlotFrame::PlotFrame(QPainter &painter, const QRectF &area, const QRectF &plot, FigureAxis x,
                      const std::optional<FigureAxis> &y, Medium medium, const FrameMeasures &measures)
     : p(painter)

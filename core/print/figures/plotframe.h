@@ -33,6 +33,9 @@ struct PlotEntry {
 /// Width of the sample and text of an entry, and of the gap between them.
 [[nodiscard]] double widthOf(const PlotEntry &entry, const FrameMeasures &measures);
 
+/// Rows that drawLegendRows() takes in a width.
+[[nodiscard]] int legendRows(std::span<const PlotEntry> entries, double room, const FrameMeasures &measures);
+
 /// Parts of an axis that are drawn in one pass over its ticks.
 enum class AxisParts { ticks, numbers, both };
 

@@ -164,6 +164,12 @@ private:
         axis(figure.x);
         for (const Bar &bar : figure.bars)
             cells({bar.name + bar.subscript, bar.value, bar.share});
+        QStringList legend;
+        if (figure.dots)
+            legend << figure.dots->dot << figure.dots->limit;
+        for (const BarLine &one : figure.lines)
+            legend << one.text;
+        cells(legend);
         line(figure.note);
     }
 

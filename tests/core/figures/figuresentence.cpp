@@ -88,6 +88,10 @@ private slots:
         bars.title = "Contributions";
         bars.bars = {{"u1", "expansion", {}, 3.6, "3.60", "54 %"}};
         QCOMPARE(figureSentence(bars, language), "Contributions: expansion 3.60 54 %");
+        bars.dots = DotLegend{"value ± U", {}};
+        bars.lines = {{5, "Tolerance limit 5.0 µm", true}};
+        QCOMPARE(figureSentence(bars, language),
+                 "Contributions: expansion 3.60 54 %; Tolerance limit 5.0 µm");
         QCOMPARE(figureSentence(CurveFigure(), language), QString());
     }
 };

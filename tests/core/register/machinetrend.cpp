@@ -9,6 +9,7 @@
 #include "register/reevaluate.h"
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
+#include "register/typeoutput.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -58,6 +59,46 @@ private slots:
         QVERIFY(trendFacts(whole, english).back().value.endsWith("χ²/ν\u00A0–"));
     }
 
+    /// Every machine of a type is a dot with its U and limit; the tolerance limits are lines, no dots.
+    void theDotsOfAType() {
+        std::vector<ListedMachine> machines;
+        std::vector<ListedTest> tests;
+        const std::vector<double> values{9.4, 8.1, 12.2, 10.3};
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            ListedMachine machine;
+            machine.id = static_cast<int>(i) + 1;
+            machine.name = QStringLiteral("M%1").arg(i);
+            machines.push_back(machine);
+            tests.push_back(made("2026-01-10", values[i]));
+            tests.back().machine = machine.id;
+        }
+        tests.back().test.results.front().limit.reset();
+        const TypeTest type = typeTest(machines, tests, "X", "A", {}, TypeDistribution::normal);
+        const Language english(Language::Id::english);
+        const BarFigure figure = typeFigure(type, english);
+        QVERIFY(figure.dots && figure.dots->limit == "agreed limit");
+        QCOMPARE(figure.bars.size(), values.size());
+        for (std::size_t i = 1; i < figure.bars.size(); ++i)
+            QVERIFY(figure.bars[i - 1].size < figure.bars[i].size);
+        QCOMPARE(figure.bars.front().name, "M1");
+        QCOMPARE(figure.bars.front().expanded, std::optional(1.0)); // µm
+        QCOMPARE(figure.bars.front().limit, std::optional(16.0));
+        QVERIFY(!figure.bars[2].limit); // 10.3
+        QCOMPARE(figure.lines.size(), std::size_t{2});
+        QVERIFY(!figure.lines[0].chosen && figure.lines[1].chosen);
+        QCOMPARE(figure.lines[1].at, *type.statistics->normalLimit * 1000);
+        for (const Bar &bar : figure.bars)
+            QVERIFY(figure.x.from <= bar.size - *bar.expanded && bar.size + *bar.expanded <= figure.x.to);
+        for (const BarLine &line : figure.lines)
+            QVERIFY(line.at < figure.x.to);
+        // Points over normal scores, and the line nearest to them: through their mean at 0.
+        const LineFigure quantiles = quantileFigure(type, false, english);
+        QCOMPARE(quantiles.lines.size(), std::size_t{2});
+        QVERIFY(!quantiles.lines[0].dots && quantiles.lines[1].dots);
+        QCOMPARE(quantiles.lines[1].points.size(), values.size());
+        const auto &ends = quantiles.lines[0].points;
+        QVERIFY(std::abs((ends.front().y() + ends.back().y()) / 2 - type.statistics->mean * 1000) < 1e-9);
+    }
     void theLineBeginsWithTheLastIntervention() {
         const MachineTrend trend = machineTrend(sinceRepair(), "A");
         QCOMPARE(trend.series.size(), std::size_t{1});

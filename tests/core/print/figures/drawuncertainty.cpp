@@ -35,8 +35,34 @@ TestEvaluation simulated(const Test &test) {
     return evaluateTest(test, surroundings);
 }
 
+/// The machines of a type: values with U, limits and two lines.
+BarFigure dots(int machines) {
+    BarFigure figure;
+    figure.x = {{}, u"A"_s, {}, u"µm"_s, false, 4, 14, 2, {}};
+    for (int i = 4; i <= 14; i += 2)
+        figure.x.ticks.push_back({static_cast<double>(i), QString::number(i)});
+    figure.dots = DotLegend{u"value ± U"_s, u"agreed limit"_s};
+    for (int i = 0; i < machines; ++i) {
+        const QString number = QString::number(i + 1);
+        figure.bars.push_back({u"machine"_s + number,
+                               u"Machine "_s + number,
+                               {},
+                               6 + 3.0 * i / machines,
+                               u"6.5 ± 1.6"_s,
+                               {},
+                               false,
+                               1.6,
+                               12.0});
+    }
+    figure.lines = {{13, u"Limite de tolérance, log-normale 13,0 µm"_s, true},
+                    {12.5, u"Limite de tolérance, normale 12,5 µm"_s, false}};
+    return figure;
+}
+
 Figure figureOf(const QString &kind, Language::Id id) {
     const Language language(id);
+    if (kind.startsWith(u"dots"))
+        return dots(kind == u"dots"_s ? 8 : 90);
     if (kind == u"drift"_s) {
         DriftMeasurement measurement;
         measurement.axis.name = "X";
@@ -85,7 +111,7 @@ private slots:
     void textsStayInsideAndApart_data() {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<Language::Id>("language");
-        for (const char *kind : {"bars", "histogram", "drift"}) {
+        for (const char *kind : {"bars", "dots", "dots of many machines", "histogram", "drift"}) {
             QTest::addRow("%s in English", kind) << QString::fromLatin1(kind) << Language::Id::english;
             QTest::addRow("%s in French", kind) << QString::fromLatin1(kind) << Language::Id::french;
         }
