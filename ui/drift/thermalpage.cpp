@@ -223,6 +223,8 @@ void ThermalPage::present() {
     QStringList notes = thermalNotes(*shown, m_result->channels, language);
     if (!hot)
         notes << tr("No temperatures were recorded with the drift: no response can be told.");
+    if (!m_result->cases.cases.empty())
+        notes << driftCaseNote(m_result->cases, language);
     notes << language.text(thermalNature());
     m_notes->setText(notes.join(u' '));
     const bool cases = !m_result->cases.cases.empty();

@@ -135,7 +135,8 @@ QVariant SheetModel::data(const QModelIndex &index, int role) const {
         return column < sheetColumns ? typed(said, column) : shown(row, column);
     case Qt::ToolTipRole:
         return column == verdict && !said.notApplicable.empty() ? QString::fromStdString(said.notApplicable)
-                                                                : shown(row, column);
+               : column == verdict && !m_words[row].reason.isEmpty() ? m_words[row].reason
+                                                                     : shown(row, column);
     case Qt::ForegroundRole: {
         if (column != verdict)
             return {};

@@ -110,6 +110,23 @@ QString padded(const QString &text, int width, Alignment alignment) {
     return alignment == Alignment::left ? text + space : space + text;
 }
 
+/// Leaves out columns of pictures, which would be columns of dashes.
+Table withoutPictures(Table table) {
+    for (std::size_t i = table.columns.size(); i-- > 0;) {
+        const auto any = [&](auto has) {
+            return std::ranges::any_of(table.rows, [&](const std::vector<Cell> &row) { return has(row[i]); });
+        };
+        if (any([](const Cell &cell) { return !cell.text.plain().isEmpty(); }) ||
+            !any([](const Cell &cell) { return cell.guard || cell.whisker || cell.bar; }))
+            continue;
+        const auto at = static_cast<std::ptrdiff_t>(i);
+        table.columns.erase(table.columns.begin() + at);
+        for (std::vector<Cell> &row : table.rows)
+            row.erase(row.begin() + at);
+    }
+    return table;
+}
+
 class TablePrinter {
 public:
     TablePrinter(const Table &table, int width)
@@ -222,7 +239,7 @@ public:
         for (const KeyValue &row : values.rows)
             m_lines << hanging(row.key, orDash(row.value), longest + 2, m_width);
     }
-    void operator()(const Table &table) { m_lines << TablePrinter(table, m_width).lines(); }
+    void operator()(const Table &table) { m_lines << TablePrinter(withoutPictures(table), m_width).lines(); }
     void operator()(const FindingsBlock &findings) {
         int grade = 0;
         int clause = 0;

@@ -62,8 +62,8 @@ Table parameterTable(const TestComparison &comparison, const PlacedTest &before,
         write.column(REPORT_TEXT("report", "Difference"), 15, Alignment::decimal, unit),
         columnOf(QStringLiteral("U"), 12, Alignment::decimal, unit),
         columnOf(Phrase({{QStringLiteral("E")}, {QStringLiteral("n"), true}}), 10, Alignment::decimal),
-        write.column(REPORT_TEXT("report", "Diff. ± U"), 21),
-        write.column(REPORT_TEXT("report", "Statement"), 29)};
+        write.column(REPORT_TEXT("report", "Diff. ± U"), 17),
+        write.column(REPORT_TEXT("report", "Statement"), 33)};
     table.columns.front().fitting = true;
     table.columns[7].paddingLeft = 3;
     const std::vector<ComparedWords> words = comparedWords(comparison, write.language());
@@ -88,11 +88,7 @@ Table parameterTable(const TestComparison &comparison, const PlacedTest &before,
                               row.after, boldCell(row.difference), row.uncertainty, row.enRatio, picture,
                               word});
     }
-    if (std::ranges::all_of(words, [](const ComparedWords &row) { return row.enRatio.isEmpty(); })) {
-        table.columns.erase(table.columns.begin() + 6);
-        for (auto &row : table.rows)
-            row.erase(row.begin() + 6);
-    }
+    leaveOutEmptyColumns(table, 5, 8); // without U no picture and no word
     return table;
 }
 
@@ -120,8 +116,9 @@ void addCircles(std::vector<Block> &blocks, const PlacedTest &before, const Plac
                                   boldCell(text(one.after - one.before)), text(one.uncertainty),
                                   QString::fromUtf8(influence(one.id).unit)});
         }
-        addHeading(blocks, write.text(REPORT_TEXT("report", "Sources that both circles show")),
-                   write.text(REPORT_TEXT("report", "U: 95 % from both fits")));
+        addHeading(
+            blocks, write.text(REPORT_TEXT("report", "Sources that both circles show")),
+            write.text(REPORT_TEXT("report", "U: 95 % from both fits; degrees of freedom by JCGM 100, G.4")));
         blocks.emplace_back(std::move(table));
     }
     LineFigure figure = pathDifferenceFigure(comparedPaths(before, after), language);
@@ -161,7 +158,6 @@ std::vector<KeyValue> statedRows(const PlacedTest &placed, const Writer &write) 
              joined({QString::fromStdString(document.machine.name),
                      QString::fromStdString(document.machine.serialNumber)}));
     rows.add(REPORT_TEXT("report", "Edition"), test.edition);
-    rows.add(REPORT_TEXT("report", "Role"), write.text(roleText(test.role)));
     rows.add(REPORT_TEXT("report", "Instruments"), instrumentsOf(placed));
     if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
         const auto up = std::ranges::count(m->runs, Direction::positive, &Run::approach);
@@ -440,7 +436,9 @@ QStringList methodSentences(const TestComparison &comparison, const Language &la
             shared << write.text(sharedText(error));
         sentences << write.say(REPORT_TEXT("report",
                                            "U of the difference: one simulation of both tests (JCGM 101), %1 "
-                                           "trials, 95.45 %; whole cycles drawn anew."),
+                                           "trials, 95.45 %. Whole cycles are drawn anew, a method of this "
+                                           "program: residuals widened by half of Student’s t of 2n − 2 "
+                                           "degrees of freedom; band of the curves by Bonferroni."),
                                {wholeNumber(comparison.trials)});
         sentences << (shared.isEmpty()
                           ? write.text(
@@ -452,7 +450,7 @@ QStringList methodSentences(const TestComparison &comparison, const Language &la
     } else if (!comparison.noWord && !comparison.refusal) {
         sentences << write.text(REPORT_TEXT("report",
                                             "U of the difference: root of the sum of the squares of both U "
-                                            "and of the repeatability; nothing shared is known."));
+                                            "and of the repeatability (JCGM 100); nothing shared is known."));
     }
     if (!comparison.noWord && !comparison.refusal)
         sentences << write.text(meaningOfWords(comparison));

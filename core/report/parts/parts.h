@@ -51,6 +51,7 @@ struct SheetWords {
     QString unit;
     QString source; ///< "test 2, A"; empty for own numbers
     QString state;
+    QString reason; ///< why nothing is proven, unless the numbers say it
 };
 [[nodiscard]] SheetWords sheetWords(const EvaluatedDocument &evaluated, const std::vector<TestPart> &parts,
                                     const SheetResult &result, std::size_t index, const Writer &write);

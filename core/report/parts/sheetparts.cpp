@@ -119,6 +119,21 @@ QString namedRows(const EvaluatedDocument &evaluated, const std::vector<SheetRes
     return names.join(QStringLiteral(", "));
 }
 
+/// Why nothing is proven, unless the numbers of the row say it.
+Text reasonOf(const EvaluatedDocument &evaluated, const SheetResult &result) {
+    if (result.state != SheetState::notProven)
+        return {};
+    if (!result.uncertainty)
+        return REPORT_TEXT("report", "nothing is proven without a measurement uncertainty");
+    if (!result.parameter || !result.parameter->dependsOnTemperature)
+        return {};
+    const TestEvaluation &evaluation = *evaluated.tests[*result.test];
+    if (at20(evaluation) == At20::hold)
+        return {};
+    return notCorrected(evaluation) ? REPORT_TEXT("report", "nothing is proven: not corrected to 20 °C")
+                                    : REPORT_TEXT("report", "nothing is proven: not shown to hold at 20 °C");
+}
+
 } // namespace
 
 Text sheetStateText(SheetState state) {
@@ -150,7 +165,8 @@ SheetWords sheetWords(const EvaluatedDocument &evaluated, const std::vector<Test
                      std::move(numbers.uncertainty),
                      std::move(numbers.unit),
                      {},
-                     write.text(sheetStateText(result.state))};
+                     write.text(sheetStateText(result.state)),
+                     write.text(reasonOf(evaluated, result))};
     if (row.from)
         words.source = testWord(write, parts, result, *row.from) + QStringLiteral(", ") +
                        QString::fromStdString(row.from->parameter);
@@ -204,6 +220,8 @@ Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart>
             if (!note->empty())
                 object.notes.push_back({QString::fromStdString(*note)});
         }
+        if (!words.reason.isEmpty())
+            object.notes.push_back({words.reason});
         Cell verdict(words.state);
         verdict.mark = markOf(result.state);
         verdict.bold = result.state == SheetState::doesNotConform;

@@ -130,7 +130,7 @@ QString caseName(const DriftCase &one, const Language &language) {
     case DriftCase::held:
         break;
     }
-    return language.sentence({REPORT_TEXT("report", "temperature held to ± %1, at worst"),
+    return language.sentence({REPORT_TEXT("report", "θ held to ± %1, at worst"),
                               {Number{one.hold, Quantity::temperature, 0}},
                               {}});
 }
@@ -148,8 +148,8 @@ Text noResponseText(ResponseState state) {
 
 Text thermalNature() {
     return REPORT_TEXT("report",
-                       "Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error, "
-                       "the largest range within a duration T.");
+                       "Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error of "
+                       "the model of ISO 230-2:2006 Annex A, the largest range within a duration T.");
 }
 
 bool hasThermalPage(const Test &test) {
@@ -335,23 +335,35 @@ Table driftCaseTable(const DriftCases &cases, bool angular, const Language &lang
     return table;
 }
 
+QString driftCaseNote(const DriftCases &cases, const Language &language) {
+    QString note = language.text(
+        REPORT_TEXT("report", "U of the budget, after the model of ISO 230-2:2006 Annex A, with that E_VE."));
+    if (std::ranges::any_of(cases.cases, [](const DriftCase &one) { return one.kind == DriftCase::held; }))
+        note += u' ' + language.text(REPORT_TEXT("report", "θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) "
+                                                           "plus E_VE(T) of x − k·y."));
+    return note;
+}
+
 QStringList thermalNotes(const DriftMeasurement &drift, const std::vector<ThermalChannel> &channels,
                          const Language &language) {
     QStringList notes;
     if (std::ranges::none_of(channels, [](const ThermalChannel &one) { return one.best.has_value(); }))
         return notes;
     notes << language.text(
-        REPORT_TEXT("report", "x = a + b·t + k·y; τ·dy/dt = θ − y. k and b by least squares, τ by a "
-                              "search; intervals of 95 % for noise that may be correlated. Of several "
-                              "temperatures the one that explains most."));
+        REPORT_TEXT("report", "x = a + b·t + k·y; τ·dy/dt = θ − y: one time constant, a model of this "
+                              "program. k and b by least squares, τ by a search; intervals of 95 % "
+                              "(Student’s t, degrees of freedom by JCGM 100, G.4) for noise that may be "
+                              "correlated, its spectrum taken from the residuals; shown by an F test. Of "
+                              "several temperatures the one that explains most."));
     for (const ThermalChannel &one : channels) {
         if (!one.best)
             continue;
         const std::vector<double> temperatures = withGaps(drift.temperatures[*one.best].values);
         if (const auto end = one.responses[*one.best].warmUp(temperatures))
-            notes << language.sentence({REPORT_TEXT("report", "%1 was warm after %2."),
-                                        {one.channel.name, durationText(*end, language).toStdString()},
-                                        {}});
+            notes << language.sentence(
+                {REPORT_TEXT("report", "%1 was warm after %2: less than a tenth of the range of y was left."),
+                 {one.channel.name, durationText(*end, language).toStdString()},
+                 {}});
     }
     return notes;
 }
@@ -399,6 +411,7 @@ std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t
         addHeading(blocks, write.text(REPORT_TEXT("report", "What the drift explains")),
                    joined({testName(write, taking), QString::fromStdString(taking.title)}));
         blocks.emplace_back(driftCaseTable(cases, motionOf(taking) == Motion::rotary, language));
+        blocks.emplace_back(Paragraph{driftCaseNote(cases, language), TextSize::small});
     }
     if (const QStringList notes = thermalNotes(drift, channels, language); !notes.isEmpty())
         blocks.emplace_back(Paragraph{notes.join(u' '), TextSize::small});

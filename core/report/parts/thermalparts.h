@@ -36,6 +36,9 @@ namespace palmer {
 /// The part of U that the drift explains, and what shorter tests or steadier temperatures would bring.
 [[nodiscard]] Table driftCaseTable(const DriftCases &cases, bool angular, const Language &language);
 
+/// How their U come about; `cases` are not empty.
+[[nodiscard]] QString driftCaseNote(const DriftCases &cases, const Language &language);
+
 /// Sentences below both tables: the model, warming up.
 [[nodiscard]] QStringList thermalNotes(const DriftMeasurement &drift,
                                        const std::vector<ThermalChannel> &channels, const Language &language);

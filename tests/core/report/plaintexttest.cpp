@@ -17,6 +17,7 @@ private slots:
     void breaksLinesAtSpacesOnly();
     void alignsColumns();
     void breaksTheFlexibleColumn();
+    void leavesOutPictures();
 };
 
 void PlainTextTest::measuresWhatATerminalShows_data() {
@@ -70,6 +71,20 @@ void PlainTextTest::breaksTheFlexibleColumn() {
     const QStringList lines = plainText({{table}}, 20).split('\n');
     QCOMPARE(lines[3], QString("repeatability of") + QString(3, ' ') + '1');
     QCOMPARE(lines[4], QString("positioning"));
+}
+
+void PlainTextTest::leavesOutPictures() {
+    Table table;
+    table.columns = {{QString("A")}, {QString("± U")}, {QString("U")}};
+    Cell picture;
+    picture.whisker = Whisker();
+    table.rows = {{QString("1"), picture, QString()}, {QString("2"), blankCell(), QString()}};
+    QCOMPARE(plainText({{table}}), QString("━━━━\n"
+                                           "A  U\n"
+                                           "────\n"
+                                           "1  –\n"
+                                           "2  –\n"
+                                           "━━━━\n"));
 }
 
 QTEST_GUILESS_MAIN(PlainTextTest)

@@ -57,6 +57,15 @@ class SheetPageTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The numbers of the linked row are within its limit by more than U: the reason is another.
+    void sayWhyNothingIsProven() {
+        const ShownSheet sheet;
+        const int linked = static_cast<int>(sheet.rows().size()) - 1;
+        QVERIFY(sheet.rows().back().from);
+        QCOMPARE(sheet.said(linked, SheetModel::verdict), QString("not proven"));
+        const QModelIndex verdict = sheet.table->model()->index(linked, SheetModel::verdict);
+        QCOMPARE(verdict.data(Qt::ToolTipRole).toString(), "nothing is proven: not shown to hold at 20 °C");
+    }
     void initTestCase() { prepareApplication(); }
     void init() { setWindowLanguage(Language::Id::english); }
 
