@@ -10699,7 +10699,7 @@
     </message>
     <message>
         <source>U of the budget, after the model of ISO 230-2:2006 Annex A, with that E_VE.</source>
-        <translation>U du bilan, selon le modèle de l’ISO&#xa0;230-2:2006, annexe&#xa0;A, avec cet E_VE.</translation>
+        <translation>U du budget, selon le modèle de l’ISO&#xa0;230-2:2006, annexe&#xa0;A, avec cet E_VE.</translation>
     </message>
     <message>
         <source>θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) plus E_VE(T) of x − k·y.</source>
