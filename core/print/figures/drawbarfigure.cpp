@@ -45,7 +45,7 @@ public:
         }
         // Rows closer than their text: only some of them are named.
         const auto named =
-            static_cast<std::size_t>(std::ceil(figureTextSize / std::max(pitch, figureTextSize / 100)));
+            static_cast<std::size_t>(std::ceil(figureTextSize / std::max(pitch, figureTextSize / 100.0)));
         for (std::size_t i = 0; i < m_figure.bars.size(); ++i) {
             const double row = m_frame.plot().top() + (static_cast<double>(i) + 0.5) * pitch;
             if (i % named == 0)
