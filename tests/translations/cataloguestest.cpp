@@ -99,8 +99,9 @@ QString fault(const QString &text) {
 /// Counts that are never 1, or are gone in a moment.
 const QSet<QString> neverOne{
     "%1 common targets; the first %2 cycles of each test",
-    "U of the difference: one simulation of both tests (JCGM 101), %1 trials, 95.45 %; whole cycles drawn "
-    "anew.",
+    "U of the difference: one simulation of both tests (JCGM 101), %1 trials, 95.45 %. Whole cycles are "
+    "drawn anew, a method of this program: residuals widened by half of Student’s t of 2n − 2 degrees of "
+    "freedom; band of the curves by Bonferroni.",
     "%1 of %2 values reproduced.",
     "%1 readings: mean %2, range %3",
     "%1, %2: %3 points evaluated from %4 to %5",
