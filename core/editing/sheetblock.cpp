@@ -162,8 +162,11 @@ std::optional<Text> typeIntoSheet(std::vector<SheetRow> &rows, std::size_t row, 
     return std::nullopt;
 }
 
-PastedSheet pasteSheet(std::vector<SheetRow> rows, std::size_t first, SheetColumn column,
-                       const QString &block, const ImportOptions &answers) {
+namespace {
+
+using Columns = std::vector<std::optional<SheetColumn>>; ///< of a block; null: not read
+
+CellTable tableOf(const QString &block, const ImportOptions &answers) {
     TableOptions options;
     options.comments = false;
     for (const auto &[sign, delimiter] :
@@ -173,49 +176,73 @@ PastedSheet pasteSheet(std::vector<SheetRow> rows, std::size_t first, SheetColum
     }
     if (const auto answer = answers.find("decimalMark"); answer != answers.end())
         options.decimalMark = answer->second == "comma" ? DecimalMark::comma : DecimalMark::point;
-    const CellTable table = readTable(block.toStdString(), options);
+    return readTable(block.toStdString(), options);
+}
+
+/// Empty for a row that is no heading.
+Columns columnsNamed(const QStringList &cells) {
+    Columns columns;
+    std::ranges::transform(cells, std::back_inserter(columns), columnNamed);
+    const auto isNamed = [](const auto &column) { return column.has_value(); };
+    return std::ranges::count_if(columns, isNamed) >= 2 ? columns : Columns();
+}
+
+Columns columnsFrom(SheetColumn column) {
+    Columns columns;
+    for (int k = static_cast<int>(column); k < sheetColumns; ++k)
+        columns.emplace_back(static_cast<SheetColumn>(k));
+    return columns;
+}
+
+/// The row that the cells belong to: that of their number, if they have one, else `next`.
+std::size_t placeOf(const QStringList &cells, const Columns &columns, const std::vector<SheetRow> &rows,
+                    std::size_t next) {
+    const auto number = std::ranges::find(columns, std::optional(SheetColumn::number)) - columns.begin();
+    if (number >= cells.size())
+        return next;
+    const auto same = std::ranges::find(rows, cells[number].toStdString(), &SheetRow::number);
+    return cells[number].isEmpty() ? rows.size() : static_cast<std::size_t>(same - rows.begin());
+}
+
+/// Throws Error if the cell cannot stand in its column.
+void putCell(std::vector<SheetRow> &rows, std::size_t place, SheetColumn column, const QString &cell,
+             DecimalMark mark, std::size_t line) {
+    const bool isNumber = column >= SheetColumn::permitted && column <= SheetColumn::uncertainty;
+    const QString text = isNumber ? numberText(cell, mark) : cell;
+    const bool isGrouped = isNumber && readCell(text.toStdString(), mark).kind == CellKind::grouped;
+    if (isGrouped || typeIntoSheet(rows, place, column, text))
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "line %1 of what was pasted: “%2” cannot stand in this column"),
+                     {wholeNumber(line), cell.left(40).toStdString()},
+                     {}});
+}
+
+} // namespace
+
+PastedSheet pasteSheet(std::vector<SheetRow> rows, std::size_t first, SheetColumn column,
+                       const QString &block, const ImportOptions &answers) {
+    const CellTable table = tableOf(block, answers);
     PastedSheet result;
-    std::vector<std::optional<SheetColumn>> columns;
-    bool any = false;
+    Columns columns;
     for (const TableRow &row : table.rows()) {
         const QStringList cells = cellsOf(table, row);
-        if (!any && columns.empty()) {
-            for (const QString &cell : cells)
-                columns.push_back(columnNamed(cell));
-            if (std::ranges::count_if(columns, [](const auto &named) { return named.has_value(); }) >= 2)
+        if (columns.empty()) {
+            columns = columnsNamed(cells);
+            if (!columns.empty())
                 continue;
-            columns.clear();
-            for (int k = static_cast<int>(column); k < sheetColumns; ++k)
-                columns.emplace_back(static_cast<SheetColumn>(k));
+            columns = columnsFrom(column);
         }
-        any = true;
-        std::size_t place = first + result.taken;
-        const auto number = std::ranges::find(columns, std::optional(SheetColumn::number)) - columns.begin();
-        if (number < cells.size()) {
-            const auto same = std::ranges::find(rows, cells[number].toStdString(), &SheetRow::number);
-            place = cells[number].isEmpty() || same == rows.end()
-                        ? rows.size()
-                        : static_cast<std::size_t>(same - rows.begin());
-        }
-        for (qsizetype k = 0; k < cells.size() && k < static_cast<qsizetype>(columns.size()); ++k) {
-            const auto &named = columns[static_cast<std::size_t>(k)];
-            if (!named)
+        const std::size_t place = placeOf(cells, columns, rows, first + result.taken);
+        const auto count = std::min(static_cast<std::size_t>(cells.size()), columns.size());
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!columns[k])
                 continue;
-            const bool isNumber = *named >= SheetColumn::permitted && *named <= SheetColumn::uncertainty;
-            const QString text = isNumber ? numberText(cells[k], table.decimalMark.value) : cells[k];
-            const bool isGrouped =
-                isNumber && readCell(text.toStdString(), table.decimalMark.value).kind == CellKind::grouped;
-            if (isGrouped || typeIntoSheet(rows, place, *named, text))
-                throw Error(
-                    Error::Kind::content,
-                    {REPORT_TEXT("report", "line %1 of what was pasted: “%2” cannot stand in this column"),
-                     {wholeNumber(row.line), cells[k].left(40).toStdString()},
-                     {}});
+            putCell(rows, place, *columns[k], cells[static_cast<qsizetype>(k)], table.decimalMark.value,
+                    row.line);
             if (result.taken == 0)
-                result.columns.push_back(*named);
+                result.columns.push_back(*columns[k]);
         }
-        if (place < rows.size() || any)
-            ++result.taken;
+        ++result.taken;
     }
     result.sheet = std::move(rows);
     if (table.decimalMark.origin != Origin::recognised)

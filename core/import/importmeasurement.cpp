@@ -312,8 +312,10 @@ bool areOtherMachines(const Machine &a, const Machine &b) {
                        : areStatedDifferently(a.name, b.name);
 }
 
-void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
-                 bool keepBytes, const std::string &hash) {
+namespace {
+
+ImportedFile importedFile(const Imported &imported, QByteArrayView bytes, const QString &fileName,
+                          bool keepBytes, const std::string &hash) {
     ImportedFile file;
     if (imported.test && !imported.test->imports.empty())
         file = imported.test->imports.front(); // the instrument's results
@@ -321,10 +323,16 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
     file.sha256 = hash.empty() ? sha256(bytes) : hash;
     if (keepBytes)
         file.data = bytes.toByteArray().toBase64().toStdString();
-    if (imported.test)
-        requireNew(document, *imported.test, file);
-    std::string others; // what the document states differently
-    const auto keep = [&](const std::string &value) { others += (others.empty() ? "" : ", ") + value; };
+    return file;
+}
+
+/// Fills what the document does not state of machine and operator; returns what it states differently.
+std::string fillHead(Document &document, const Imported &imported) {
+    std::string others;
+    const auto keep = [&](const std::string &value) {
+        if (!value.empty())
+            others += (others.empty() ? "" : ", ") + value;
+    };
     const auto fill = [&](std::string &field, const std::string &value) {
         if (field.empty())
             field = value;
@@ -333,49 +341,67 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
     };
     Machine &machine = document.machine;
     if (areOtherMachines(machine, imported.machine)) { // else two machines would become one
-        for (const std::string &value : {imported.machine.name, imported.machine.serialNumber}) {
-            if (!value.empty())
-                keep(value);
-        }
+        keep(imported.machine.name);
+        keep(imported.machine.serialNumber);
     } else {
-        fill(machine.name, imported.machine.name);
-        fill(machine.manufacturer, imported.machine.manufacturer);
-        fill(machine.model, imported.machine.model);
-        fill(machine.serialNumber, imported.machine.serialNumber);
-        fill(machine.controller, imported.machine.controller);
-        fill(machine.location, imported.machine.location);
-        fill(machine.condition, imported.machine.condition);
+        for (std::string Machine::*field :
+             {&Machine::name, &Machine::manufacturer, &Machine::model, &Machine::serialNumber,
+              &Machine::controller, &Machine::location, &Machine::condition})
+            fill(machine.*field, imported.machine.*field);
         if (!machine.year)
             machine.year = imported.machine.year;
     }
     fill(document.report.operatorName, imported.operatorName);
+    return others;
+}
+
+/// A file without a test: its temperatures join the tests that are there.
+void addToTests(Document &document, const Imported &imported, const ImportedFile &file) {
+    bool added = false;
+    for (TestPointer &pointer : document.tests) {
+        Test test = *pointer;
+        addTemperatures(test, imported, file);
+        added |= !(test == *pointer);
+        pointer = std::make_shared<const Test>(std::move(test));
+    }
+    if (!added)
+        refuseContent(REPORT_TEXT("report", "temperatures need a test "
+                                            "that they belong to; import the measurement before them"));
+}
+
+void addRemark(Test &test, const std::string &remark) {
+    test.remarks += (test.remarks.empty() ? "" : "\n") + remark;
+}
+
+/// True for a positioning test whose sign is only remarked, not asked, as the file does not state it.
+bool hasAssumedSign(const Test &test, const Imported &imported) {
+    return std::holds_alternative<PositioningMeasurement>(test.measurement) &&
+           std::ranges::any_of(imported.remarks, [](const Remark &remark) {
+               return remark.choice == "sign" && remark.grade == RemarkGrade::note;
+           });
+}
+
+} // namespace
+
+void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
+                 bool keepBytes, const std::string &hash) {
+    ImportedFile file = importedFile(imported, bytes, fileName, keepBytes, hash);
+    if (imported.test)
+        requireNew(document, *imported.test, file);
+    const std::string others = fillHead(document, imported);
     if (!imported.test) {
-        bool added = false;
-        for (TestPointer &pointer : document.tests) {
-            Test test = *pointer;
-            addTemperatures(test, imported, file);
-            added |= !(test == *pointer);
-            pointer = std::make_shared<const Test>(std::move(test));
-        }
-        if (!added)
-            refuseContent(REPORT_TEXT("report", "temperatures need a test "
-                                                "that they belong to; import the measurement before them"));
+        addToTests(document, imported, file);
         return;
     }
     Test test = std::move(*imported.test);
-    // Only remarked, not asked, as the file does not state it.
-    if (std::holds_alternative<PositioningMeasurement>(test.measurement) &&
-        std::ranges::any_of(imported.remarks, [](const Remark &remark) {
-            return remark.choice == "sign" && remark.grade == RemarkGrade::note;
-        }))
-        file.signAssumed = true;
+    file.signAssumed = file.signAssumed || hasAssumedSign(test, imported);
     if (!others.empty())
-        test.remarks += (test.remarks.empty() ? "" : "\n") + file.fileName + ": " + others;
+        addRemark(test, file.fileName + ": " + others);
     test.id = freeId(wishedId(test), document.tests);
     test.imports = {file};
     if (!isJudged(test)) {
         test.imports.clear(); // the format stores no imports for drift tests
-        test.remarks += (test.remarks.empty() ? "" : "\n") + file.fileName + ", SHA-256 " + file.sha256;
+        addRemark(test, file.fileName + ", SHA-256 " + file.sha256);
     }
     test.instruments.clear();
     for (const Instrument &instrument : imported.instruments)

@@ -438,6 +438,14 @@ bool isAsGood(const Reading &best, const Reading &blanks) {
     return best.columns > 1 && best.score > nearly * blanks.score;
 }
 
+/// False for what was chosen otherwise. Commas do both only if quotes tell them apart, or by choice.
+bool canBe(Delimiter delimiter, DecimalMark mark, bool areQuoted, const TableOptions &options) {
+    const bool isChosen = options.delimiter == delimiter && options.decimalMark == mark;
+    const bool isOneForBoth = delimiter == Delimiter::comma && mark == DecimalMark::comma;
+    return options.delimiter.value_or(delimiter) == delimiter && options.decimalMark.value_or(mark) == mark &&
+           (!isOneForBoth || areQuoted || isChosen);
+}
+
 void resolveForm(CellTable &table, std::string_view text, const TableOptions &options) {
     const std::string sample = sampleOf(text);
     const bool areQuoted = sample.find(R"(",")") != std::string::npos;
@@ -446,12 +454,7 @@ void resolveForm(CellTable &table, std::string_view text, const TableOptions &op
     for (const Delimiter delimiter : {Delimiter::tab, Delimiter::semicolon, Delimiter::bar, Delimiter::comma,
                                       Delimiter::colon, Delimiter::blanks}) {
         for (const DecimalMark mark : {DecimalMark::point, DecimalMark::comma}) {
-            // Both only if quotes distinguish them.
-            if (delimiter == Delimiter::comma && mark == DecimalMark::comma && !areQuoted &&
-                !(options.delimiter == delimiter && options.decimalMark == mark))
-                continue;
-            if (options.delimiter.value_or(delimiter) != delimiter ||
-                options.decimalMark.value_or(mark) != mark)
+            if (!canBe(delimiter, mark, areQuoted, options))
                 continue;
             readings.push_back(readSample(sample, delimiter, mark, options.comments));
             if (delimiter == Delimiter::blanks && isAsGood(best, readings.back()))
@@ -508,7 +511,7 @@ CellTable readTable(std::string text, const TableOptions &options) {
     scanner.scan(sampleRows);
     if (scanner.at() < table.m_text.size()) {
         // Room for all: exact enough for tables, whose lines are alike.
-        const std::size_t times = table.m_text.size() / scanner.at() + 1;
+        const std::size_t times = table.m_text.size() / std::max<std::size_t>(scanner.at(), 1) + 1;
         makeRoom(scanner, scanner.rows.size() * times * 9 / 8, scanner.cells.size() * times * 9 / 8);
         scanner.scan(std::numeric_limits<std::size_t>::max());
     }

@@ -107,6 +107,16 @@ bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
             (head.words.direction || head.words.namesSense || isUntitled(search, c)));
 }
 
+/// True if a column has a role, or only counts or selects the lines.
+bool isUsed(const ColumnSearch &search, std::size_t c) {
+    const TableColumn &head = search.reading.body.columns[c];
+    const ColumnRole role = search.result.columns[c].role;
+    return role == ColumnRole::target || role == ColumnRole::direction || role == ColumnRole::number ||
+           std::ranges::find(search.result.values, c) != search.result.values.end() ||
+           head.meaning == Meaning::index ||
+           (head.meaning == Meaning::axis && head.kind == ColumnKind::words); // it selects the lines
+}
+
 /// Remarks on unread columns; those that look like readings become a question.
 void remarkIgnored(ColumnSearch &search) {
     const std::vector<TableColumn> &heads = search.reading.body.columns;
@@ -114,14 +124,7 @@ void remarkIgnored(ColumnSearch &search) {
     std::string names;
     std::string readings;
     for (std::size_t c = 0; c < heads.size(); ++c) {
-        const ColumnRole what = search.result.columns[c].role;
-        const bool isRead = what == ColumnRole::target || what == ColumnRole::direction ||
-                            what == ColumnRole::number ||
-                            std::ranges::find(search.result.values, c) != search.result.values.end();
-        const bool isCounted =
-            heads[c].meaning == Meaning::index ||
-            (heads[c].meaning == Meaning::axis && heads[c].kind == ColumnKind::words); // it selects the lines
-        if (isRead || isCounted || heads[c].kind == ColumnKind::empty)
+        if (isUsed(search, c) || heads[c].kind == ColumnKind::empty)
             continue;
         if (!isChosen && marksReadings(search, c))
             search.reading.remarks.problem(

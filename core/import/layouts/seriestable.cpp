@@ -68,6 +68,11 @@ private:
         return columns[counts ? 1 : 0];
     }
 
+    [[nodiscard]] bool statesLengthOrAngle(std::size_t column) const {
+        const SaidUnit said = m.body.columns[column].said();
+        return said.unit && (said.unit->kind == UnitKind::length || said.unit->kind == UnitKind::angle);
+    }
+
     /// Takes the readings of the wanted kind and no others.
     void chooseValues() {
         std::vector<std::size_t> temperatures;
@@ -91,11 +96,8 @@ private:
             m_values = temperatures.empty() ? others : temperatures;
         } else {
             if (deviations.empty() && !temperatures.empty()) // "X (µm)", "Y (µm)"
-                std::ranges::copy_if(others, std::back_inserter(deviations), [this](std::size_t c) {
-                    const SaidUnit said = m.body.columns[c].said();
-                    return said.unit &&
-                           (said.unit->kind == UnitKind::length || said.unit->kind == UnitKind::angle);
-                });
+                std::ranges::copy_if(others, std::back_inserter(deviations),
+                                     [this](std::size_t c) { return statesLengthOrAngle(c); });
             m_values = !deviations.empty() ? deviations : others;
             m_heat = temperatures;
             if (m_values.size() > 1 && deviations.empty()) {

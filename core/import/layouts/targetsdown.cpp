@@ -34,7 +34,7 @@ public:
         , m_target(*m_columns.target) {}
 
     FoundPasses read() {
-        static_cast<FoundForm &>(m_found) = m_columns;
+        static_cast<FoundForm &>(m_found) = static_cast<const FoundForm &>(m_columns);
         m_found.positionUnit = m.body.columns[m_target].said();
         chooseAxis();
         chooseState();
