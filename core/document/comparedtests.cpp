@@ -143,7 +143,7 @@ std::shared_ptr<const StatedComparison> statedComparison(const EvaluatedDocument
     result.options.tolerance = stated->tolerance;
     result.options.setUpUntouched = stated->setUpUntouched;
     result.comparison = compare({&evaluated, result.other}, {&evaluated, test}, result.options);
-    const auto shared = std::make_shared<const StatedComparison>(std::move(result));
+    auto shared = std::make_shared<const StatedComparison>(std::move(result));
     const std::scoped_lock lock(mutex);
     latest.push_front({evaluated.document, test, shared});
     if (latest.size() > kept)

@@ -65,14 +65,14 @@ const char *conformityWord(Verdict verdict) {
 
 /// Units of the acceptance sheet that D-SI has.
 constexpr std::array<std::pair<std::string_view, const char *>, 8> typedUnits{
-    {{"mm", "\\milli\\metre"},
-     {"µm", "\\micro\\metre"},
-     {"m", "\\metre"},
-     {"mm/m", "\\milli\\metre\\metre\\tothe{-1}"},
-     {"µm/m", "\\micro\\metre\\metre\\tothe{-1}"},
-     {"deg", "\\degree"},
-     {"°", "\\degree"},
-     {"″", "\\arcsecond"}}};
+    {{"mm", R"(\milli\metre)"},
+     {"µm", R"(\micro\metre)"},
+     {"m", R"(\metre)"},
+     {"mm/m", R"(\milli\metre\metre\tothe{-1})"},
+     {"µm/m", R"(\micro\metre\metre\tothe{-1})"},
+     {"deg", R"(\degree)"},
+     {"°", R"(\degree)"},
+     {"″", R"(\arcsecond)"}}};
 
 /// The same text in French and in English.
 struct Both {
@@ -424,71 +424,95 @@ private:
         });
     }
 
+    void writeDate(const Test &test) {
+        if (test.date)
+            condition(both(REPORT_TEXT("report", "Date of test")), [&] {
+                said("dcc:text", both([&](const Language &language) {
+                         return joined(
+                             {language.date(*test.date), QString::fromStdString(test.time.value_or(""))});
+                     }));
+            });
+    }
+
+    void writeExpansion(const Text &name, const std::optional<double> &coefficient) {
+        if (coefficient)
+            condition(both(name), [&] { quantity(name, *coefficient, Quantity::expansion); });
+    }
+
+    /// Returns the English names of what it wrote.
+    QStringList writeNumbers(const Test &test) {
+        QStringList names;
+        for (const std::string_view key : conditionKeys(test)) {
+            const FieldValue value = fieldValue(test, key);
+            const auto *number = std::get_if<std::optional<double>>(&value);
+            const StatedThing *thing = statedThing(key);
+            if (!number || !*number || !thing || !thing->form.quantity)
+                continue;
+            names << m_english.text(thing->name);
+            condition(both(thing->name),
+                      [&] { quantity(thing->name, **number, quantityOf(*thing, motionOf(test))); });
+        }
+        return names;
+    }
+
+    /// The conditions of a test as the report says them, with its path or axis.
+    [[nodiscard]] std::vector<KeyValue> rowsIn(const Writer &write, std::size_t index) const {
+        const Test &test = *document().tests[index];
+        const TestEvaluation &evaluation = *m_evaluated.tests[index];
+        const TestPart part{write, m_evaluated, test, evaluation, index};
+        std::vector<KeyValue> rows = conditionRows(part).rows;
+        KeyValues own;
+        if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement))
+            own = parameterRows({part, *circle, resultsOf(*circle, evaluation)});
+        if (const auto *axis = std::get_if<PositioningMeasurement>(&test.measurement))
+            own = axisRows({part, *axis, resultsOf(*axis, evaluation)});
+        rows.insert(rows.begin(), own.rows.begin(), own.rows.end());
+        return rows;
+    }
+
+    /// The conditions in words, without those that are numbers.
+    void writeWords(std::size_t index, const QStringList &numbers) {
+        const Writer french(m_french);
+        const Writer english(m_english);
+        const std::vector<KeyValue> there = rowsIn(french, index);
+        const std::vector<KeyValue> here = rowsIn(english, index);
+        for (std::size_t i = 0; i < std::min(there.size(), here.size()); ++i) {
+            if (!here[i].value.isEmpty() && !numbers.contains(here[i].key))
+                condition({there[i].key, here[i].key}, [&] {
+                    said("dcc:text", Both{there[i].value, here[i].value});
+                });
+        }
+    }
+
+    void writeExcluded(const Test &test) {
+        const auto *axis = std::get_if<PositioningMeasurement>(&test.measurement);
+        if (axis && !axis->excluded.empty())
+            condition(both(REPORT_TEXT("report", "Excluded readings")), [&] {
+                said("dcc:text",
+                     both([&](const Language &language) { return excludedText(*axis, language); }));
+            });
+    }
+
     /// Numbers as such; all other conditions in the words of the report.
     void writeConditions(std::size_t index) {
         const Test &test = *document().tests[index];
-        const TestEvaluation &evaluation = *m_evaluated.tests[index];
-        const Conditions *conditions = evaluation.edition ? conditionsOf(test) : nullptr;
+        const Conditions *conditions = m_evaluated.tests[index]->edition ? conditionsOf(test) : nullptr;
         if (!conditions && !test.date)
             return;
         within("dcc:influenceConditions", [&] {
-            if (test.date)
-                condition(both(REPORT_TEXT("report", "Date of test")), [&] {
-                    said("dcc:text", both([&](const Language &language) {
-                             return joined(
-                                 {language.date(*test.date), QString::fromStdString(test.time.value_or(""))});
-                         }));
-                });
+            writeDate(test);
             if (!conditions)
                 return;
             for (std::size_t what = 0; what < kindsOfSensors; ++what)
                 writeTemperatures(*conditions, static_cast<SensorMeasures>(what));
             const auto &[machine, instrument] = conditions->expansion;
-            for (const auto &[name, alpha] : {std::pair{REPORT_TEXT("report", "α machine"), machine},
-                                              std::pair{REPORT_TEXT("report", "α instrument"), instrument}}) {
-                if (alpha)
-                    condition(both(name), [&] { quantity(name, *alpha, Quantity::expansion); });
-            }
-            QStringList numbers;
-            for (const std::string_view key : conditionKeys(test)) {
-                const FieldValue value = fieldValue(test, key);
-                const auto *number = std::get_if<std::optional<double>>(&value);
-                const StatedThing *thing = statedThing(key);
-                if (!number || !*number || !thing || !thing->form.quantity)
-                    continue;
-                numbers << m_english.text(thing->name);
-                condition(both(thing->name),
-                          [&] { quantity(thing->name, **number, quantityOf(*thing, motionOf(test))); });
-            }
-            const Writer french(m_french);
-            const Writer english(m_english);
-            const auto rowsIn = [&](const Writer &write) {
-                const TestPart part{write, m_evaluated, test, evaluation, index};
-                std::vector<KeyValue> rows = conditionRows(part).rows;
-                KeyValues own;
-                if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement))
-                    own = parameterRows({part, *circle, resultsOf(*circle, evaluation)});
-                if (const auto *axis = std::get_if<PositioningMeasurement>(&test.measurement))
-                    own = axisRows({part, *axis, resultsOf(*axis, evaluation)});
-                rows.insert(rows.begin(), own.rows.begin(), own.rows.end());
-                return rows;
-            };
-            const std::vector<KeyValue> there = rowsIn(french);
-            const std::vector<KeyValue> here = rowsIn(english);
+            writeExpansion(REPORT_TEXT("report", "α machine"), machine);
+            writeExpansion(REPORT_TEXT("report", "α instrument"), instrument);
+            const QStringList numbers = writeNumbers(test);
             condition(both(REPORT_TEXT("report", "Correction to 20 °C")),
                       [&] { said("dcc:text", correctionText(conditions->correctionTo20)); });
-            for (std::size_t i = 0; i < std::min(there.size(), here.size()); ++i) {
-                if (!here[i].value.isEmpty() && !numbers.contains(here[i].key))
-                    condition({there[i].key, here[i].key}, [&] {
-                        said("dcc:text", Both{there[i].value, here[i].value});
-                    });
-            }
-            const auto *axis = std::get_if<PositioningMeasurement>(&test.measurement);
-            if (axis && !axis->excluded.empty())
-                condition(both(REPORT_TEXT("report", "Excluded readings")), [&] {
-                    said("dcc:text",
-                         both([&](const Language &language) { return excludedText(*axis, language); }));
-                });
+            writeWords(index, numbers);
+            writeExcluded(test);
         });
     }
 
@@ -849,18 +873,19 @@ void requireForDcc(const EvaluatedDocument &evaluated, const Language &language)
 }
 
 const char *dsiUnit(Quantity quantity) {
-    return inOrder(
-        quantity, {"\\one", "\\one", "\\milli\\metre", "\\degree", "\\micro\\metre", "\\arcsecond",
-                   "\\micro\\metre", "\\arcsecond", "\\degreecelsius", "\\degreecelsius\\hour\\tothe{-1}",
-                   "\\micro\\metre\\metre\\tothe{-1}\\kelvin\\tothe{-1}", "\\milli\\metre\\minute\\tothe{-1}",
-                   "\\degree\\minute\\tothe{-1}", "\\second", "\\hecto\\pascal", "\\percent"});
+    return inOrder(quantity,
+                   {R"(\one)", R"(\one)", R"(\milli\metre)", R"(\degree)", R"(\micro\metre)", R"(\arcsecond)",
+                    R"(\micro\metre)", R"(\arcsecond)", R"(\degreecelsius)",
+                    R"(\degreecelsius\hour\tothe{-1})", R"(\micro\metre\metre\tothe{-1}\kelvin\tothe{-1})",
+                    R"(\milli\metre\minute\tothe{-1})", R"(\degree\minute\tothe{-1})", R"(\second)",
+                    R"(\hecto\pascal)", R"(\percent)"});
 }
 
-QByteArray dcc(const EvaluatedDocument &given) {
-    EvaluatedDocument evaluated = given;
-    evaluated.document = withVisibleTexts(given.document, writeDocument(*given.document));
+QByteArray dcc(const EvaluatedDocument &evaluated) {
+    EvaluatedDocument visible = evaluated;
+    visible.document = withVisibleTexts(evaluated.document, writeDocument(*evaluated.document));
     QByteArray bytes;
-    DccWriter(bytes, evaluated).write();
+    DccWriter(bytes, visible).write();
     return bytes;
 }
 

@@ -476,8 +476,8 @@ private:
         }
         for (const PlacedDimension &each : placed) {
             const double top = y(each.dimension.upper);
-            m_lines.push_back(
-                QRectF(each.at - curveArrowWidth / 2, top, curveArrowWidth, y(each.dimension.lower) - top));
+            m_lines.emplace_back(each.at - curveArrowWidth / 2, top, curveArrowWidth,
+                                 y(each.dimension.lower) - top);
             drawLimit(each.at, each.dimension);
         }
         for (const PlacedDimension &each : placed)
@@ -517,8 +517,8 @@ private:
         p.setPen(tick);
         p.drawLine(QPointF(at - curveLimitTick / 2, y(limit)), QPointF(at + curveLimitTick / 2, y(limit)));
         constexpr double clear = 1; // points
-        m_taken.push_back(QRectF(at - curveLimitTick / 2, std::min(top, y(limit)) - clear, curveLimitTick,
-                                 std::max(bottom - top, 0.0) + 2 * clear));
+        m_taken.emplace_back(at - curveLimitTick / 2, std::min(top, y(limit)) - clear, curveLimitTick,
+                             std::max(bottom - top, 0.0) + 2 * clear);
     }
 
     /// Writes the limit beside its tick, or above or below it.

@@ -848,6 +848,17 @@ Strips measured(const Block &block, double width, double tallest, bool narrow) {
     return result;
 }
 
+namespace {
+
+/// A head needs its own page; other parts may follow results that were moved to this page.
+bool isSoftBreak(const MeasuredBlocks &blocks, std::size_t pageBreak) {
+    const std::size_t next = pageBreak + 1;
+    const auto *heading = next < blocks.size() ? std::get_if<Heading>(&blocks[next].block) : nullptr;
+    return heading && heading->level == 1;
+}
+
+} // namespace
+
 Strips joined(const MeasuredBlocks &blocks) {
     Strips result;
     const Block *above = nullptr;
@@ -873,9 +884,7 @@ Strips joined(const MeasuredBlocks &blocks) {
             stateOfHeading(begins, blocks, i, titled);
             above = &block;
         } else if (std::holds_alternative<PageBreak>(block)) {
-            // A head needs its own page; other parts may follow results that were moved to this page.
-            const auto *next = i + 1 < blocks.size() ? std::get_if<Heading>(&blocks[i + 1].block) : nullptr;
-            begins.soft = next && next->level == 1;
+            begins.soft = isSoftBreak(blocks, i);
             if (!begins.soft)
                 above = nullptr;
         }

@@ -261,6 +261,13 @@ private:
         m_part = m_pages.size();
     }
 
+    /// True if a strip may be the first of a page: with `sections` only one that begins a section.
+    [[nodiscard]] static bool mayBegin(const PageStrips &page, std::size_t strip, bool sections) {
+        const Strip &first = page.strips[strip];
+        const bool inBlock = first.block < 0; // rows of a table, whose head is repeated
+        return !page.strips[strip - 1].withNext && (first.section || (inBlock && !sections));
+    }
+
     /// If the last page of a part is emptier than it may be, moves the end of the page before to it:
     /// preferably sections, otherwise what may stand at the top of a page, but no results from the page of a
     /// head.
@@ -274,9 +281,7 @@ private:
             for (std::size_t i = before.strips.size(); i-- > 1;) {
                 if (before.strips[i].whole && !before.running)
                     break;
-                const Strip &first = before.strips[i];
-                const bool inBlock = first.block < 0; // rows of a table, whose head is repeated
-                if (before.strips[i - 1].withNext || (!first.section && (sections || !inBlock)))
+                if (!mayBegin(before, i, sections))
                     continue;
                 const auto from = before.strips.begin() + static_cast<std::ptrdiff_t>(i);
                 const PageStrips kept{before.running, {before.strips.begin(), from}, before.narrow};

@@ -202,23 +202,26 @@ PlacedText narrowText(const Cell &cell, const Place &place, double room) {
     return {TextBlock(text, style, room), place.left, room, TextAlignment::left};
 }
 
+/// Adds what a cell has in place of a text; returns false if it has a text.
+bool addPicture(PrintedRow &row, const Cell &cell, const Place &place, const QColor &ink) {
+    if (cell.guard)
+        row.signs.push_back({Mark::none, cell.guard, place.left, {}, false, ink});
+    else if (cell.whisker)
+        row.signs.push_back({Mark::none, {}, place.left, {}, false, ink, 0, cell.whisker});
+    else if (cell.bar)
+        row.signs.push_back(
+            {Mark::none, {}, place.left, std::clamp(*cell.bar, 0.0, 1.0) * place.width, cell.hollow});
+    else
+        return false;
+    return true;
+}
+
 void addCell(PrintedRow &row, const Cell &cell, const Column &column, const Place &place) {
     if (cell.blank)
         return;
     const QColor ink = QColor::fromRgb(cell.pale ? paleGrey : black);
-    if (cell.guard) {
-        row.signs.push_back({Mark::none, cell.guard, place.left, {}, false, ink});
+    if (addPicture(row, cell, place, ink))
         return;
-    }
-    if (cell.whisker) {
-        row.signs.push_back({Mark::none, {}, place.left, {}, false, ink, 0, cell.whisker});
-        return;
-    }
-    if (cell.bar) {
-        row.signs.push_back(
-            {Mark::none, {}, place.left, std::clamp(*cell.bar, 0.0, 1.0) * place.width, cell.hollow});
-        return;
-    }
     const bool missing = cell.isMissing();
     const TextStyle style = styled(false, missing ? dashGrey : cell.pale ? paleGrey : black);
     const RichText text = missing ? RichText{{thinDash}} : richText(cell.text, cell.bold);

@@ -285,7 +285,8 @@ public:
         m_root.replaceKey("/K", m_objects.front());
         m_root.replaceKey("/ParentTree", m_document.makeIndirectObject(tree));
         m_root.replaceKey("/ParentTreeNextKey",
-                          Handle::newInteger(static_cast<long long>(m_pages.size() + annotations.size())));
+                          Handle::newInteger(static_cast<long long>(m_pages.size()) +
+                                             static_cast<long long>(annotations.size())));
         m_document.getRoot().replaceKey("/StructTreeRoot", m_root);
         m_document.getRoot().replaceKey("/MarkInfo", Handle::parse("<< /Marked true >>"));
     }
@@ -383,7 +384,7 @@ private:
         return reference;
     }
 
-    static Handle boxOf(const QRectF &area, Handle page) {
+    static Handle boxOf(const QRectF &area, const Handle &page) {
         Handle attributes = Handle::parse("<< /O /Layout /Placement /Block >>");
         const double height = heightOf(page);
         attributes.replaceKey(
