@@ -185,7 +185,7 @@ qsizetype distance(const QString &a, const QString &b) {
             const auto at = [](const QString &word, std::size_t k) {
                 return word[static_cast<qsizetype>(k)];
             };
-            d[i][j] = static_cast<qsizetype>(i + j);
+            d[i][j] = static_cast<qsizetype>(i) + static_cast<qsizetype>(j);
             if (i == 0 || j == 0)
                 continue;
             const qsizetype changed = at(a, i - 1) == at(b, j - 1) ? 0 : 1;

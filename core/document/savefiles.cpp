@@ -53,6 +53,8 @@ public:
         if (m_number >= 0)
             ::close(m_number);
     }
+    Descriptor(const Descriptor &) = delete;
+    Descriptor &operator=(const Descriptor &) = delete;
     Descriptor(Descriptor &&other) noexcept
         : m_number(std::exchange(other.m_number, -1)) {}
     Descriptor &operator=(Descriptor &&other) noexcept {
@@ -160,9 +162,10 @@ public:
         , m_file(withoutName(m_path)) {
         if (m_file.number() < 0) {
             m_beside += QString::number(::getpid());
+            const QByteArray name = encoded(m_beside);
             // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
-            m_file = Descriptor(
-                ::open(encoded(m_beside).constData(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, readAndWrite));
+            const int made = ::open(name.constData(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, readAndWrite);
+            m_file = Descriptor(made);
             m_named = m_file.number() >= 0;
         }
         struct stat old {};

@@ -52,7 +52,7 @@ struct DriftCases {
 
 /// The part of the budget of a test that the drift explains, and what shorter tests or steadier
 /// temperatures would bring; empty without a budget.
-[[nodiscard]] DriftCases driftCases(const EvaluatedDocument &evaluated, std::size_t test);
+[[nodiscard]] DriftCases driftCases(const EvaluatedDocument &evaluated, std::size_t index);
 
 template <>
 inline constexpr auto
