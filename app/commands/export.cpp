@@ -229,7 +229,7 @@ QByteArray ownProgram(const Invocation &invocation, const Document &document, st
             {REPORT_TEXT("report", "the test names no control whose language is known: say it with %1"),
              {std::string("--dialect iso|siemens|heidenhain|linuxcnc|haas")}});
     const CycleProgram &program = plan->program;
-    const QByteArray written = partProgram(program, *dialect, invocation.language);
+    QByteArray written = partProgram(program, *dialect, invocation.language);
     if (const auto over = overtravelText(program, plan->planned.request)) {
         const Quantity position = program.motion == Motion::linear ? Quantity::position : Quantity::angle;
         const Interval moved = movedThrough(program);

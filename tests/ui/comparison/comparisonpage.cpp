@@ -53,7 +53,7 @@ private slots:
         QCOMPARE(c.cell(0, 7), QString("changed, better"));
         QVERIFY(c.shown.find<QLabel>("comparisonWord")->text() == "Changed, better");
         QVERIFY(c.shown.find<LineView>("differenceFigure")->figure().has_value());
-        QCOMPARE(c.shown.find<RowTable>("comparedConditions")->rowCount(), 6);
+        QCOMPARE(c.shown.find<RowTable>("comparedConditions")->rowCount(), 5);
         c.shown.window->workplace().showPage(Page::readings);
         QVERIFY(!c.shown.find<QWidget>("comparisonSide")->isVisible());
         QVERIFY(c.shown.find<QWidget>("figureCanvas")->isVisible());
