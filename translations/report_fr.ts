@@ -10145,8 +10145,8 @@
         <translation>Commun aux deux essais&#xa0;: %1&#x202f;; toutes les autres erreurs sont propres à chacun.</translation>
     </message>
     <message>
-        <source>“Changed” where the difference exceeds its U, always between these two sessions. Of simulated pairs without a change, 3 to 12 % show one of A, E, M, R and B changed; few if each test had an instrument of its own.</source>
-        <translation>«&#xa0;Changé&#xa0;» lorsque la différence dépasse son U, toujours entre ces deux séances. Parmi des couples simulés sans changement, 3 à 12&#xa0;% montrent A, E, M, R ou B changé&#x202f;; peu si chaque essai avait son propre instrument.</translation>
+        <source>“Changed” where the difference exceeds its U, always between these two sessions. Of simulated pairs without a change, up to 12 % show one of A, E, M, R and B changed.</source>
+        <translation>«&#xa0;Changé&#xa0;» lorsque la différence dépasse son U, toujours entre ces deux séances. Parmi des couples simulés sans changement, jusqu’à 12&#xa0;% montrent A, E, M, R ou B changé.</translation>
     </message>
     <message>
         <source>between targets of the first test: linear; less the mean of all</source>

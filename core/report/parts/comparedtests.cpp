@@ -400,8 +400,8 @@ Text meaningOfWords(const TestComparison &comparison) {
                            "these two sessions.");
     return REPORT_TEXT("report",
                        "“Changed” where the difference exceeds its U, always between these two "
-                       "sessions. Of simulated pairs without a change, 3 to 12 % show one of A, E, M, R "
-                       "and B changed; few if each test had an instrument of its own.");
+                       "sessions. Of simulated pairs without a change, up to 12 % show one of A, E, M, R "
+                       "and B changed.");
 }
 
 /// The parts of U, each alone; empty without a simulation.
