@@ -16,8 +16,10 @@ namespace palmer {
 
 namespace {
 
+/// An option, or an argument by its placeholder (MONTHS).
 std::string typed(const char *option) {
-    return "--" + std::string(option);
+    const bool isArgument = *option >= 'A' && *option <= 'Z';
+    return (isArgument ? "" : "--") + std::string(option);
 }
 
 Number shown(double value) {

@@ -36,7 +36,7 @@ namespace palmer {
 /// Parses an integer, also with a power of ten (1e6); null for anything else.
 [[nodiscard]] std::optional<long long> wholeGiven(const QString &given);
 
-/// The same, from `least` to `most`. Throws UsageError.
+/// The same, from `least` to `most`; also of an argument, called as in the help (MONTHS). Throws UsageError.
 [[nodiscard]] long long wholeBetween(const char *option, const QString &given, long long least,
                                      long long most);
 

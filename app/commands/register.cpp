@@ -290,7 +290,7 @@ int runChoice(const Invocation &invocation) {
     const QStringList &words = invocation.arguments;
     std::optional<int> months;
     if (words[0] == QLatin1StringView("interval"))
-        months = static_cast<int>(wholeBetween("interval", words[2], 0, longestInterval));
+        months = static_cast<int>(wholeBetween("MONTHS", words[2], 0, longestInterval));
     const QString address = registerAddress(invocation);
     const auto called = [&, all = machines(Register(address, Register::Open::read).database())](
                             const QString &name) { return machineCalled(all, name, invocation.language); };
