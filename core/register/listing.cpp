@@ -88,10 +88,7 @@ QString dueText(const ListedTest &listed, const Language &language) {
 Json sinceLastJson(const SinceLast &change) {
     Json parameters = Json::array();
     for (const ComparedParameter &one : change.comparison.parameters)
-        parameters.push_back({{"id", comparedId(one)},
-                              {"difference", one.difference},
-                              {"expandedUncertainty", orNull(one.uncertainty)},
-                              {"word", one.word ? Json(fileWord(*one.word)) : Json()}});
+        parameters.push_back(changeJson({{"id", comparedId(one)}}, one));
     const auto word = wordOfAll(change.comparison);
     return {{"file", change.last.path.toStdString()},
             {"test", change.last.test},

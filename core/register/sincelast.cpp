@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "kernel/measurement/testfacts.h"
+#include "register/jsonline.h"
 #include "register/scan.h"
 #include "report/parts/comparedtests.h"
 
@@ -68,6 +69,13 @@ const ComparedParameter *changeOf(const SinceLast &change, const std::string &re
     const auto &all = change.comparison.parameters;
     const auto found = std::ranges::find(all, result, comparedId);
     return found == all.end() ? nullptr : &*found;
+}
+
+Json changeJson(Json head, const ComparedParameter &change) {
+    head.update({{"difference", change.difference},
+                 {"expandedUncertainty", orNull(change.uncertainty)},
+                 {"word", change.word ? Json(fileWord(*change.word)) : Json()}});
+    return head;
 }
 
 QString sinceLastWord(const SinceLast &change, const Language &language) {

@@ -7,6 +7,7 @@
 #include "register/queries.h"
 
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 
 namespace palmer {
 
@@ -29,6 +30,9 @@ void findChanges(std::vector<ListedTest> &tests);
 
 /// Returns what is said of one result ("A", "G_XY"); null: it is not compared.
 [[nodiscard]] const ComparedParameter *changeOf(const SinceLast &change, const std::string &result);
+
+/// Returns `difference`, `expandedUncertainty` (mm or degrees) and `word`, after the keys of `head`.
+[[nodiscard]] nlohmann::ordered_json changeJson(nlohmann::ordered_json head, const ComparedParameter &change);
 
 /// "changed, worse", or why nothing is said.
 [[nodiscard]] QString sinceLastWord(const SinceLast &change, const Language &language);

@@ -261,12 +261,7 @@ Json lineJson(const MachineTrend &trend) {
 /// Changes since the last test; null: not asked for, or not compared.
 Json sinceLastJson(const TrendEntry &entry, const std::string &parameter) {
     const ComparedParameter *change = entry.sinceLast ? changeOf(*entry.sinceLast, parameter) : nullptr;
-    if (!change)
-        return nullptr;
-    return {{"date", orNull(entry.sinceLast->date)},
-            {"difference", orNull(change->difference)},
-            {"expandedUncertainty", orNull(change->uncertainty)},
-            {"word", change->word ? Json(fileWord(*change->word)) : Json()}};
+    return change ? changeJson({{"date", orNull(entry.sinceLast->date)}}, *change) : Json();
 }
 
 /// "−9.1 ± 3.7 changed, better", or why nothing is said.
