@@ -125,7 +125,8 @@ std::string instrumentKey(const std::vector<const Instrument *> &instruments) {
     std::string key;
     for (const Instrument *instrument : instruments) {
         if (!instrument->serialNumber.empty())
-            key += instrument->serialNumber + '/' + instrument->certificate + ';';
+            key += (key.empty() ? "" : "; ") + instrument->serialNumber +
+                   (instrument->certificate.empty() ? "" : "/" + instrument->certificate);
     }
     return key;
 }

@@ -28,7 +28,7 @@ namespace palmer {
 namespace {
 
 /// Identifies the reader: with another version, or other contents of an entry, files are read again.
-const QString program = QStringLiteral("Palmer " PALMER_VERSION ", entries 3");
+const QString program = QStringLiteral("Palmer " PALMER_VERSION ", entries 4");
 
 constexpr int filesOfTransaction = 256;
 constexpr qint64 tooFresh = 2'000; ///< ms: a file system may give two states of a file the same time

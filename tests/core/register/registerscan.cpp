@@ -233,9 +233,10 @@ void RegisterScanTest::aTestIsKeptWhole() {
     // What comes out is what went in, to the last bit.
     const auto document = std::make_shared<const Document>(readDocument(fileOf(sample)));
     RegisteredTest expected =
-        registeredTests(evaluate(document), "Palmer " PALMER_VERSION ", entries 3").front();
+        registeredTests(evaluate(document), "Palmer " PALMER_VERSION ", entries 4").front();
     QVERIFY(expected.results.size() > 8);
     QVERIFY(expected.results.front().own > 0 && expected.results.front().shared != 0);
+    QCOMPARE(expected.parts.front().source, std::string("device LSR-1/C-1"));
     QCOMPARE(list.front().test.results.size(), expected.results.size());
     QVERIFY(list.front().test == expected);
     QCOMPARE(list.front().places.size(), std::size_t{1});
