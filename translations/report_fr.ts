@@ -7450,8 +7450,12 @@
         <translation>Autre série&#xa0;: %1</translation>
     </message>
     <message>
-        <source>there is no such folder</source>
-        <translation>ce dossier n’existe pas</translation>
+        <source>there is no such file or folder</source>
+        <translation>ce fichier ou dossier n’existe pas</translation>
+    </message>
+    <message>
+        <source>a register holds only names in UTF-8, and this one is not; rename it</source>
+        <translation>un registre ne contient que des noms en UTF-8, et celui-ci n’en est pas un&#x202f;; le renommer</translation>
     </message>
     <message>
         <source>the register; without it that of the user</source>

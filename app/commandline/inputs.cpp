@@ -75,7 +75,7 @@ private:
             if (entries->is_directory(ignored))
                 walk(entries->path(), name + u'/');
             else if (isWanted(name) && !(isOutput && hasEnding(name, ".pdf")) &&
-                     entries->is_regular_file(ignored))
+                     entries->exists(ignored))
                 m_found.push_back({nameOf(name), shownFileName(nameOf(name)), shownFileName(name), true});
         }
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/database.h"
 
+#include "document/filename.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -92,6 +94,9 @@ void requireDatabase(const QString &path) {
 void openFile(QSqlDatabase &database, const QString &path, Database::Use use) {
     const bool toRead = use == Database::Use::read;
     const QFileInfo info(path);
+    if (!isUtf8FileName(path))
+        refuse(
+            REPORT_TEXT("report", "a name to save to has to be UTF-8, and this one is not; choose another"));
     if (info.isDir())
         refuse(REPORT_TEXT("report", "this is a folder; expected the file of a register"));
     if (info.exists() && !info.isFile())

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/walk.h"
 
+#include "document/filename.h"
 #include "register/machinechoices.h"
 
 #include <QDateTime>
 #include <QDir>
-#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 #include <fcntl.h>
+#include <filesystem>
 #include <set>
 #include <unistd.h>
 
@@ -30,12 +31,14 @@ public:
 
     void add(const QString &place) {
         const QFileInfo info(place);
-        if (info.isDir())
+        if (!isUtf8FileName(place))
+            refuseName(place);
+        else if (info.isDir())
             m_open.push_back(place);
         else if (info.isFile())
             addFile(info);
         else
-            refuse(place, REPORT_TEXT("report", "there is no such folder"));
+            refuse(place, REPORT_TEXT("report", "there is no such file or folder"));
         while (!m_open.empty() && !m_stop.stop_requested()) {
             const QString folder = m_open.back();
             m_open.pop_back();
@@ -57,6 +60,12 @@ private:
         m_listing.unreadable.push_back({path, Error(Error::Kind::unreadable, {text, {}})});
     }
 
+    /// The text of a database holds no other names.
+    void refuseName(const QString &path) {
+        refuse(shownFileName(path), REPORT_TEXT("report", "a register holds only names in UTF-8, and this one "
+                                                          "is not; rename it"));
+    }
+
     void addFile(const QFileInfo &info) {
         m_listing.files.push_back(
             {cleanPath(info.filePath()), info.size(), info.lastModified().toMSecsSinceEpoch()});
@@ -72,15 +81,22 @@ private:
             return;
         }
         std::vector<QString> below;
-        QDirIterator entries(folder, QDir::Dirs | QDir::Files | QDir::NoDotAndDotDot);
-        while (entries.hasNext()) {
-            entries.next();
-            const QFileInfo entry = entries.fileInfo();
-            if (entry.isDir())
+        std::error_code error; // QDir passes over names that are not UTF-8
+        std::filesystem::directory_iterator entries(QFile::encodeName(folder).toStdString(), error);
+        for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error)) {
+            const QString name = fileNameOf(entries->path().filename().native());
+            const QFileInfo entry(folder + u'/' + name);
+            std::error_code ignored;
+            const bool isFolder = entries->is_directory(ignored);
+            if (name.startsWith(u'.') || !(isFolder || isListed(name) || name == machineFileName))
+                continue;
+            if (!isUtf8FileName(name))
+                refuseName(entry.filePath());
+            else if (isFolder)
                 below.push_back(entry.filePath());
-            else if (isListed(entry.fileName()))
+            else if (isListed(name) && entry.exists())
                 addFile(entry);
-            else if (entry.fileName() == machineFileName)
+            else if (name == machineFileName)
                 m_listing.machineFolders << cleanPath(folder);
         }
         std::ranges::sort(below, std::ranges::greater()); // the last is visited first

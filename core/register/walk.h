@@ -18,7 +18,7 @@ struct ListedFile {
     qint64 modified = 0; ///< ms since 1970
 };
 
-/// A folder that cannot be listed.
+/// A folder that cannot be listed, or a file or folder whose name the register cannot hold.
 struct UnreadableFolder {
     QString path;
     Error error;

@@ -285,6 +285,16 @@ private slots:
         QCOMPARE(refused.code, 3);
         QCOMPARE(refused.err.count('\n'), 1);
         QVERIFY2(refused.err.contains("UTF-8"), refused.err);
+        // A register cannot hold the name, and says so.
+        const QByteArray path = folder.path().toUtf8();
+        for (const QByteArray &words :
+             {"scan '" + path + "' --register '" + path + "/r.sqlite'", "type --parameter A '" + name + "'",
+              "scan '" + path + "/out' --register '" + path + "/\xe9.sqlite'",
+              "list --register '" + path + "/\xe9.sqlite'"}) {
+            const CliResult result = shell(cli + " register " + words);
+            QCOMPARE(result.code, 3);
+            QVERIFY2(result.err.contains("\xc3\xa9") && result.err.contains("UTF-8"), result.err);
+        }
     }
 
     // A stack larger than the memory that may be had: no thread ever begins.
