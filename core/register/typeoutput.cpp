@@ -335,7 +335,7 @@ LineFigure quantileFigure(const TypeTest &test, bool logarithms, const Language 
     const QString symbol = plainSymbolOf(test.parameter);
     figure.y.quantity = logarithms ? QStringLiteral("ln ") + symbol : symbol;
     figure.y.unit = language.unit(quantity);
-    FigureLine dots{LineRole::predictedUp, {}, {}, {}, true};
+    FigureLine dots{LineRole::measuredUp, {}, {}, {}, true};
     Bounds x;
     Bounds y;
     double squares = 0; // the mean of the scores is 0
@@ -349,7 +349,7 @@ LineFigure quantileFigure(const TypeTest &test, bool logarithms, const Language 
         product += score * value;
         sum += value;
     }
-    FigureLine line{LineRole::air, {}, {}, {}};
+    FigureLine line{LineRole::predictedUp, {}, {}, {}};
     for (const QPointF &end : {dots.points.front(), dots.points.back()})
         line.points.emplace_back(end.x(),
                                  sum / static_cast<double>(values.size()) + product / squares * end.x());
