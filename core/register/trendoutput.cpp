@@ -92,7 +92,8 @@ QString propertyText(const QString &property, bool angular, const Language &lang
     QString value = property.section(u' ', 1);
     const auto known =
         std::ranges::find_if(propertyNames, [&](const auto &one) { return word == one.first; });
-    const QString name = known == propertyNames.end() ? property : language.text(known->second);
+    QString name = known == propertyNames.end() ? property : language.text(known->second);
+    name.front() = name.front().toLower(); // in a list, after other words
     if (value.isEmpty() || known == propertyNames.end())
         return name;
     if (word != "runs" && word != "compensation" && value.contains(u' '))

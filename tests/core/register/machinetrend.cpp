@@ -225,20 +225,26 @@ private slots:
         row("nothing", "", [](PositioningMeasurement &) {});
         row("location of the sensors", "",
             [](PositioningMeasurement &m) { m.conditions.common.sensors.front().position = "scale"; });
-        row("zone", "Working zone: 0 … 500.5 mm", [](PositioningMeasurement &m) {
+        row("zone", "working zone: 0 … 500.5 mm", [](PositioningMeasurement &m) {
             m.zone = Interval{0, 500.5};
         });
-        row("compensation", "Active compensation: pitch, reversal",
+        row("compensation", "active compensation: pitch, reversal",
             [](PositioningMeasurement &m) { m.conditions.common.compensation = " pitch; reversal"; });
-        row("tool offset", "Tool offset: X 10 Z 120 mm", [](PositioningMeasurement &m) {
+        row("tool offset", "tool offset: X 10 Z 120 mm", [](PositioningMeasurement &m) {
             m.conditions.common.toolOffset = {10.0, std::nullopt, 120.0};
         });
-        row("workpiece offset", "Workpiece offset: Y 5 mm", [](PositioningMeasurement &m) {
+        row("workpiece offset", "workpiece offset: Y 5 mm", [](PositioningMeasurement &m) {
             m.conditions.common.workpieceOffset = {std::nullopt, 5.0, std::nullopt};
         });
         row("number of runs", "runs in either direction: 3 + 3", [](PositioningMeasurement &m) {
             m.runs.insert(m.runs.end(), {m.runs[0], m.runs[1]});
         });
+        row("several at once", "feed 500 mm/min, working zone: 0 … 500 mm, active compensation: pitch",
+            [](PositioningMeasurement &m) {
+                m.conditions.feed = 500;
+                m.zone = Interval{0, 500};
+                m.conditions.common.compensation = "pitch";
+            });
         row("rapid feed", "no feed stated, rapid feed",
             [](PositioningMeasurement &m) { m.conditions.feedMode = FeedMode::rapid; });
     }
