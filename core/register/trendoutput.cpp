@@ -329,19 +329,20 @@ QByteArray trendJson(const ListedMachine &machine, const std::string &axis, cons
 QByteArray trendCsv(const ListedMachine &machine, const std::string &axis,
                     const std::vector<MachineTrend> &trends) {
     CsvWriter csv('.');
-    csv.row("machine", "serialNumber", "axis", "parameter", "series", "edition", "date", "value", "U",
-            "limit", "unit", "role", "purpose", "line", "uOfLine", "file", "test", "lastDate", "sinceLast",
-            "difference", "differenceU");
+    csv.row("machine", "manufacturer", "model", "serialNumber", "axis", "parameter", "series", "edition",
+            "date", "value", "U", "limit", "unit", "role", "purpose", "line", "uOfLine", "file", "test",
+            "lastDate", "sinceLast", "difference", "differenceU");
     for (const MachineTrend &trend : trends) {
         for (std::size_t i = 0; i < trend.series.size(); ++i) {
             for (const TrendEntry &entry : trend.series[i].entries) {
                 const bool onLine = i == 0 && trend.line && entry.stretch == trend.interventions.size();
                 const ComparedParameter *change =
                     entry.sinceLast ? changeOf(*entry.sinceLast, trend.parameter) : nullptr;
-                csv.row(machine.name.toStdString(), machine.serialNumber.toStdString(), axis, trend.parameter,
-                        static_cast<double>(i + 1), trend.series[i].edition, entry.date, entry.result.value,
-                        entry.result.expandedUncertainty, entry.result.limit, trend.angular ? "deg" : "mm",
-                        fileWord(entry.role), fileWord(entry.purpose),
+                csv.row(machine.name.toStdString(), machine.manufacturer.toStdString(),
+                        machine.model.toStdString(), machine.serialNumber.toStdString(), axis,
+                        trend.parameter, static_cast<double>(i + 1), trend.series[i].edition, entry.date,
+                        entry.result.value, entry.result.expandedUncertainty, entry.result.limit,
+                        trend.angular ? "deg" : "mm", fileWord(entry.role), fileWord(entry.purpose),
                         onLine ? std::optional(trend.line->at(entry.time)) : std::nullopt,
                         onLine ? std::optional(trend.line->uncertaintyAt(entry.time)) : std::nullopt,
                         entry.file.toStdString(), entry.test,

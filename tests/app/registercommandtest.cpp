@@ -160,6 +160,7 @@ void RegisterCommandTest::scanListTrend() {
     const QString csv = m_dir->filePath("trend.csv");
     QCOMPARE(reg({"trend", "--machine", "000-001", "--axis", "X", "--parameter", "A", "-o", csv}).code, 0);
     QCOMPARE(contents(csv).count('\n'), 11);
+    QVERIFY(contents(csv).startsWith("machine,manufacturer,model,serialNumber,axis,")); // as the list
     const auto anew = objects(reg({"trend", "--machine", "000-001", "--axis", "X", "--parameter", "A",
                                    "--edition", "ISO 230-2:2006", "--json"})
                                   .out);
