@@ -227,9 +227,9 @@ public:
             listFiles(database, m_invocation);
             return done;
         }
-        std::vector<ListedMachine> list = machines(database);
-        if (const auto called = m_invocation.value("machine"))
-            list = machinesCalled(list, *called);
+        const auto called = m_invocation.value("machine");
+        const std::vector<ListedMachine> list =
+            called ? machinesCalled(database, *called) : machines(database);
         if (m_csv)
             printOut(m_marks.begin + listedTestsCsvHead(m_marks.decimal));
         for (const ListedMachine &machine : list) // only one machine is held in memory
@@ -292,8 +292,9 @@ int runChoice(const Invocation &invocation) {
     if (words[0] == QLatin1StringView("interval"))
         months = static_cast<int>(wholeBetween("MONTHS", words[2], 0, longestInterval));
     const QString address = registerAddress(invocation);
-    const auto called = [&, all = machines(Register(address, Register::Open::read).database())](
-                            const QString &name) { return machineCalled(all, name, invocation.language); };
+    const auto called = [&](const QString &name) {
+        return machineCalled(Register(address, Register::Open::read).database(), name, invocation.language);
+    };
     const ListedMachine machine = called(words[1]);
     const ListedMachine other = months ? machine : called(words[2]);
     if (!months && machine.id == other.id)

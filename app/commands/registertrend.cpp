@@ -97,9 +97,8 @@ QString neededOption(const Invocation &invocation, const char *option) {
     return *given;
 }
 
-ListedMachine machineCalled(const std::vector<ListedMachine> &machines, const QString &words,
-                            const Language &language) {
-    const std::vector<ListedMachine> found = machinesCalled(machines, words);
+ListedMachine machineCalled(Database &database, const QString &words, const Language &language) {
+    const std::vector<ListedMachine> found = machinesCalled(database, words);
     if (found.empty())
         throw UsageError(
             {REPORT_TEXT("report", "no machine of the register is called “%1”"), {words.toStdString()}});
@@ -124,7 +123,7 @@ int runRegisterReport(const Invocation &invocation) {
     if (output == QLatin1StringView("-") && languages.size() > 1)
         throw UsageError({REPORT_TEXT("report", "standard output takes one report; choose --language"), {}});
     Register reg(registerAddress(invocation), Register::Open::read);
-    const ListedMachine machine = machineCalled(machines(reg.database()), words, invocation.language);
+    const ListedMachine machine = machineCalled(reg.database(), words, invocation.language);
     History history =
         historyOf(reg.database(), machine, QDate::currentDate(), QStringLiteral("Palmer " PALMER_VERSION));
     if (const auto number = invocation.value("number")) {
@@ -160,7 +159,7 @@ int runRegisterTrend(const Invocation &invocation) {
         throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
                           {std::string("since-last"), std::string("edition")}});
     Register reg(registerAddress(invocation), Register::Open::read);
-    const ListedMachine machine = machineCalled(machines(reg.database()), words, invocation.language);
+    const ListedMachine machine = machineCalled(reg.database(), words, invocation.language);
     filter.machines = {machine.id};
     std::vector<ListedTest> list = tests(reg.database(), filter);
     if (list.empty())

@@ -23,8 +23,7 @@ int runRegisterType(const Invocation &invocation);
 
 /// Returns the machine a user means. Throws UsageError if there is none, or if there are several: their
 /// numbers.
-[[nodiscard]] ListedMachine machineCalled(const std::vector<ListedMachine> &machines, const QString &words,
-                                          const Language &language);
+[[nodiscard]] ListedMachine machineCalled(Database &database, const QString &words, const Language &language);
 
 /// Value of --register, or the register of the user.
 [[nodiscard]] QString registerAddress(const Invocation &invocation);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <set>
 
 namespace palmer {
 
@@ -156,6 +157,19 @@ bool isAxis(const RegisteredTest &test, const QString &axis) {
     return QString::fromStdString(test.axis).compare(axis, Qt::CaseInsensitive) == 0;
 }
 
+/// Machines as tests state them: also before one was named anew or joined to another.
+std::vector<ListedMachine> statedMachines(Database &database) {
+    std::vector<ListedMachine> result;
+    QSqlQuery &query = database.run(
+        QStringLiteral("select distinct machine, name, manufacturer, model, serial, location from test"));
+    while (query.next()) {
+        ListedMachine &machine = result.emplace_back();
+        RowReader(query).read(machine.id, machine.name, machine.manufacturer, machine.model,
+                              machine.serialNumber, machine.location);
+    }
+    return result;
+}
+
 int order(TestRole role) {
     return role == TestRole::asFound ? 0 : role == TestRole::notStated ? 1 : 2;
 }
@@ -231,26 +245,39 @@ std::map<int, int> testCounts(Database &database) {
     return result;
 }
 
-std::vector<ListedMachine> machinesCalled(const std::vector<ListedMachine> &machines, const QString &words) {
-    const auto chosen = [&](auto fits) {
+std::vector<ListedMachine> machinesCalled(Database &database, const QString &words) {
+    const std::vector<ListedMachine> all = machines(database);
+    const auto chosen = [&all](auto fits) {
         std::vector<ListedMachine> result;
-        std::ranges::copy_if(machines, std::back_inserter(result), fits);
+        std::ranges::copy_if(all, std::back_inserter(result), fits);
         return result;
     };
     const QString exact = asCompared(words);
-    std::vector<ListedMachine> result = chosen([&](const ListedMachine &machine) {
+    const auto isExact = [&exact](const ListedMachine &machine) {
         return asCompared(machine.name) == exact || asCompared(machine.serialNumber) == exact;
-    });
+    };
+    std::vector<ListedMachine> result = chosen(isExact);
     if (result.empty())
         result = chosen([&](const ListedMachine &machine) {
             const QString number = QString::number(machine.number);
             return exact == number || exact == number + u'.';
         });
-    if (result.empty())
-        result = chosen([wanted = comparable(words)](const ListedMachine &machine) {
-            return searched(machine).contains(wanted);
-        });
-    return result;
+    if (!result.empty())
+        return result;
+    const std::vector<ListedMachine> stated = statedMachines(database);
+    const auto chosenAsStated = [&](auto fits) {
+        std::set<int> ids;
+        for (const ListedMachine &machine : stated) {
+            if (fits(machine))
+                ids.insert(machine.id);
+        }
+        return chosen([&ids](const ListedMachine &machine) { return ids.contains(machine.id); });
+    };
+    result = chosenAsStated(isExact);
+    return !result.empty() ? result
+                           : chosenAsStated([wanted = comparable(words)](const ListedMachine &machine) {
+                                 return searched(machine).contains(wanted);
+                             });
 }
 
 std::vector<ListedTest> tests(Database &database, const TestFilter &filter) {

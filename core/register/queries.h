@@ -81,10 +81,9 @@ struct AxisState {
 [[nodiscard]] std::map<int, int> testCounts(Database &database);
 
 /// Returns the machines a user means: those with exactly this name or serial number, otherwise the one with
-/// this number ("3", "3."), otherwise those whose name, maker, type, serial number or location contains it
-/// without case, spaces and punctuation.
-[[nodiscard]] std::vector<ListedMachine> machinesCalled(const std::vector<ListedMachine> &machines,
-                                                        const QString &words);
+/// this number ("3", "3."), otherwise those with a test that names the machine so, otherwise those with one
+/// whose name, maker, type, serial number or location contains it without case, spaces and punctuation.
+[[nodiscard]] std::vector<ListedMachine> machinesCalled(Database &database, const QString &words);
 
 /// Returns the selected tests by date, time, role (as found first), axis and digest; those without date
 /// first. Does not set `due` and `certificateDue`: see due.h.
