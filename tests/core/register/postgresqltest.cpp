@@ -47,7 +47,7 @@ private slots:
 
     void noTwoMachinesBecomeOne() {
         Register reg(m_server->address());
-        QCOMPARE(palmer::testdata::silentlyJoined(reg, m_dir.filePath("pairs"), 100, 50), QStringList());
+        QCOMPARE(palmer::testdata::silentlyJoined(reg, m_dir.filePath("pairs"), 50), QStringList());
     }
 
     /// While it is made anew others see the register before or the one after.

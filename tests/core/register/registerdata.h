@@ -139,9 +139,12 @@ inline std::vector<MachinePair> differingMachines(int count, unsigned seed) {
         const char *name;
         std::string Sample::*field;
         bool isIdentified;
+        bool hasMaker = true;
     };
     constexpr std::array fields{Field{"maker", &Sample::maker, true},
                                 Field{"serial number", &Sample::serial, true},
+                                Field{"serial number without maker", &Sample::serial, true, false},
+                                Field{"type without maker", &Sample::model, true, false},
                                 Field{"name without serial number", &Sample::machine, false},
                                 Field{"maker without serial number", &Sample::maker, false},
                                 Field{"type without serial number", &Sample::model, false}};
@@ -151,6 +154,8 @@ inline std::vector<MachinePair> differingMachines(int count, unsigned seed) {
         MachinePair pair;
         for (const auto member : {&Sample::machine, &Sample::maker, &Sample::model})
             pair.one.*member = (text() + "m").toStdString();
+        if (!field.hasMaker)
+            pair.one.maker.clear();
         pair.one.serial = field.isIdentified ? (text() + "7").toStdString() : i % 2 ? "" : " - ";
         pair.one.level = 5 + 0.01 * i;
         pair.other = pair.one;
@@ -163,9 +168,13 @@ inline std::vector<MachinePair> differingMachines(int count, unsigned seed) {
     return result;
 }
 
-/// Scans such pairs; returns those that became one machine.
-inline QStringList silentlyJoined(Register &reg, const QString &folder, int count, unsigned seed) {
-    const std::vector<MachinePair> pairs = differingMachines(count, seed);
+inline int fromEnvironment(const char *name, int otherwise) {
+    return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
+}
+
+/// Scans such pairs (PAIRS of the environment, otherwise 100); returns those that became one machine.
+inline QStringList silentlyJoined(Register &reg, const QString &folder, unsigned seed) {
+    const std::vector<MachinePair> pairs = differingMachines(fromEnvironment("PAIRS", 100), seed);
     const auto place = [&](std::size_t pair, const char *which) {
         return folder + QString("/%1 %2.palmer").arg(pair).arg(which);
     };
@@ -198,7 +207,7 @@ inline QByteArray listed(Database &database, const TestFilter &filter = {}) {
 /// Reads a register many times (READS of the environment, otherwise 100) while it is made anew from the
 /// folder again and again; returns what was neither the register before nor the one after.
 inline QStringList wrongReads(const QString &address, const QString &folder) {
-    const int count = qEnvironmentVariableIsSet("READS") ? qEnvironmentVariableIntValue("READS") : 100;
+    const int count = fromEnvironment("READS", 100);
     const auto content = [&]() -> QByteArray {
         Register reg(address, Register::Open::read);
         QByteArray result;

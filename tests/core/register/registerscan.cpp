@@ -643,7 +643,7 @@ void RegisterScanTest::aNewerSchemaIsRefused() {
 /// Machines that differ in one field, however alike it looks.
 void RegisterScanTest::noTwoMachinesBecomeOne() {
     Register reg(m_path);
-    QCOMPARE(testdata::silentlyJoined(reg, m_folder, 100, 49), QStringList());
+    QCOMPARE(testdata::silentlyJoined(reg, m_folder, 49), QStringList());
 }
 
 /// What a user says of machines stands beside the files, so that a register made anew says it again.
