@@ -9165,6 +9165,14 @@
         <translation>impossible d’écrire dans le dossier&#x202f;; conservé dans %1</translation>
     </message>
     <message>
+        <source>an older version of Palmer made this register, and you may not write to it: it can be read again when somebody who may has scanned with this one</source>
+        <translation>ce registre vient d’une version antérieure de Palmer, et vous n’avez pas le droit d’y écrire&#xa0;: il sera de nouveau lisible quand une personne qui en a le droit aura lancé une lecture avec cette version-ci</translation>
+    </message>
+    <message>
+        <source>%1; kept in %2</source>
+        <translation>%1&#x202f;; conservé dans %2</translation>
+    </message>
+    <message>
         <source>certificate: %1</source>
         <translation>certificat&#xa0;: %1</translation>
     </message>

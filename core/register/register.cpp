@@ -167,8 +167,23 @@ void Register::openToRead(const QString &address) {
         refuseMissingRegister();
     requireKnown(version);
     if (version < newest)
-        Register(address, Open::keep); // migrates it
+        migrate(address);
     m_database.beginReading();
+}
+
+/// Through a connection that may write.
+void Register::migrate(const QString &address) const {
+    try {
+        Register(address, Open::keep);
+    } catch (const Error &error) {
+        if (error.kind != Error::Kind::unwritable && !m_database.isServer())
+            throw;
+        throw Error(Error::Kind::unwritable,
+                    {REPORT_TEXT("report", "an older version of Palmer made this register, and you may not "
+                                           "write to it: it can be read again when somebody who may has "
+                                           "scanned with this one"),
+                     {}});
+    }
 }
 
 /// In a transaction, of which readers see nothing before its end.

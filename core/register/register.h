@@ -35,6 +35,7 @@ private:
     void keepIntervals();
     void empty();
     void openToRead(const QString &address);
+    void migrate(const QString &address) const;
     [[nodiscard]] int schemaVersion();
 
     /// Removes the file of a register that could not be created.

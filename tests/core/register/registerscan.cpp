@@ -773,6 +773,17 @@ void RegisterScanTest::readersNeedReadAccessOnly() {
     writeFile(file("b.palmer"), fileOf({.axis = "Y"}));
     (void)scan(writer, {m_folder});
     QCOMPARE(read(), listed(writer.database()));
+    // One of an older version has to be brought up to date first, by somebody who may.
+    for (const char *statement :
+         {"alter table source drop column number", "update register set value = '2' where name = 'schema'"})
+        writer.database().execute(QString::fromLatin1(statement));
+    try {
+        (void)read();
+        QFAIL("read as if it were of this version");
+    } catch (const Error &error) {
+        QVERIFY2(sentenceOf(error).contains("older version"), qPrintable(sentenceOf(error)));
+    }
+    QCOMPARE(refusal(path, Register::Open::read), QString()); // by the administrator
     const auto missing = m_dir->filePath("nowhere/register.sqlite");
     QVERIFY(refusal(missing, Register::Open::read).contains("no register yet"));
     QVERIFY(!QFile::exists(m_dir->filePath("nowhere")));
