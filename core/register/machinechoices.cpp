@@ -13,6 +13,7 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 namespace palmer {
@@ -37,6 +38,18 @@ QString identityOf(const Json &machine) {
     for (const auto &[key, field] : machineKeys)
         fields.*field = QString::fromStdString(machine.value(key, std::string()));
     return machineIdentity(fields);
+}
+
+[[noreturn]] void refuseFile() {
+    throw Error(Error::Kind::format,
+                {REPORT_TEXT("report", "this is no list of machines of a register, or a newer one"), {}});
+}
+
+int intervalFrom(const Json &months) {
+    const auto number = months.get<double>();
+    if (number != std::floor(number))
+        refuseFile();
+    return static_cast<int>(std::clamp(number, 0.0, static_cast<double>(longestInterval)));
 }
 
 QString ownFolder() {
@@ -80,19 +93,16 @@ void MachineChoices::add(const QByteArray &json) {
     const Json file = parseJson(json.toStdString());
     try {
         if (file.at("format") != "palmer machines" || file.at("version") != 1)
-            throw Error(
-                Error::Kind::format,
-                {REPORT_TEXT("report", "this is no list of machines of a register, or a newer one"), {}});
+            refuseFile();
         for (const Json &one : file.at("machines")) {
             const QString identity = identityOf(one);
             if (one.contains("interval"))
-                months[identity] = std::clamp(one.at("interval").get<int>(), 0, longestInterval);
+                months[identity] = intervalFrom(one.at("interval"));
             for (const Json &other : one.value("joined", Json::array()))
                 joined[identityOf(other)] = identity;
         }
     } catch (const Json::exception &) { // a key is missing or of another type
-        throw Error(Error::Kind::format,
-                    {REPORT_TEXT("report", "this is no list of machines of a register, or a newer one"), {}});
+        refuseFile();
     }
 }
 
@@ -189,27 +199,46 @@ QStringList chooseMachine(Register &reg, const ListedMachine &machine, const Lis
     if (other)
         folders += foldersOf(reg.database(), *other);
     folders.removeDuplicates();
+    std::vector<std::pair<QString, Error>> refused;
     const auto write = [&](const QString &folder) {
-        saveBytes(withChoice(machineFile(folder), machine, other, months), machineFileIn(folder));
-    };
-    QStringList unwritable;
-    for (const QString &folder : folders) {
         try {
-            write(folder);
-        } catch (const Error &) {
-            unwritable << folder + QStringLiteral(": ") +
-                              language.sentence(
-                                  {REPORT_TEXT("report", "the folder cannot be written; kept in %1"),
-                                   {machineFileIn(ownFolder()).toStdString()}});
+            saveBytes(withChoice(machineFile(folder), machine, other, months), machineFileIn(folder));
+        } catch (const Error &error) {
+            refused.emplace_back(folder, error);
         }
-    }
-    if (!unwritable.isEmpty() || folders.isEmpty()) {
+    };
+    RegisterWriter writer(reg.database());
+    Transaction transaction(reg.database());
+    writer.begin(); // of two that say something at once one waits for the other
+    std::ranges::for_each(folders, write);
+    const std::size_t unwritable = refused.size();
+    if (unwritable > 0 || folders.isEmpty()) {
         QDir().mkpath(ownFolder());
         write(ownFolder());
     }
+    const auto sentence = [&](const auto &one) {
+        return machineFileIn(one.first) + QStringLiteral(": ") +
+               sentenceFrom(storedSentence(one.second), language);
+    };
+    if (refused.size() > unwritable)
+        throw Error(refused.back().second.kind,
+                    {REPORT_TEXT("report", "%1"), {sentence(refused.back()).toStdString()}});
     std::vector<Unreadable> unreadable;
-    RegisterWriter(reg.database()).takeMachineFiles(changedMachineFiles(reg.database(), {}, unreadable));
-    return unwritable;
+    writer.takeMachineFiles(changedMachineFiles(reg.database(), {}, unreadable));
+    transaction.commit();
+    QStringList said;
+    const std::string own = machineFileIn(ownFolder()).toStdString();
+    for (const auto &one : refused) {
+        const bool isDamaged =
+            one.second.kind == Error::Kind::syntax || one.second.kind == Error::Kind::format;
+        said << (isDamaged
+                     ? language.sentence(
+                           {REPORT_TEXT("report", "%1; kept in %2"), {sentence(one).toStdString(), own}})
+                     : one.first + QStringLiteral(": ") +
+                           language.sentence(
+                               {REPORT_TEXT("report", "the folder cannot be written; kept in %1"), {own}}));
+    }
+    return said;
 }
 
 } // namespace palmer

@@ -337,6 +337,18 @@ void RegisterCommandTest::joinAndInterval() {
     QVERIFY2(check.exitCode() == 0, check.readAllStandardError());
     QCOMPARE(reg({"interval", "1", "0"}).code, 0);
     QCOMPARE(reg({"list", "--due", "2099-01-01", "--json"}).out.count("\"due\": \"20"), 0);
+    // Several that say something at once: nothing of it is lost.
+    QCOMPARE(reg({"scan", files()}).code, 0);
+    std::vector<std::unique_ptr<QProcess>> others;
+    for (int i = 1; i <= 4; ++i) {
+        others.push_back(std::make_unique<QProcess>());
+        others.back()->start(PALMER_CLI,
+                             {"register", "interval", QString("%1.").arg(i), "12", "--register", m_register});
+    }
+    for (const auto &other : others)
+        QVERIFY(other->waitForFinished(patience) && other->exitCode() == 0);
+    QCOMPARE(contents(files() + "/palmer-machines.json").count("\"interval\": 12"), 4);
+    QVERIFY(QFile::remove(files() + "/palmer-machines.json"));
 }
 
 /// Where the folder of the files cannot be written, it is said where else that is kept.
@@ -355,6 +367,23 @@ void RegisterCommandTest::whatIsSaidOfMachinesFindsAPlace() {
                              m_dir->filePath("data/palmer/palmer-machines.json").toUtf8() + '\n');
     (void)call({"scan", folder, "--rebuild"});
     QVERIFY(call({"list", "--json"}).out.contains("\"due\": \"2019-11-20\""));
+    // One that was damaged by hand is left as it is, and said; also that of the user.
+    QVERIFY(QDir().rmdir(folder + "/palmer-machines.json"));
+    write(folder + "/palmer-machines.json", "{");
+    const CliResult damaged = call({"interval", "1", "6"});
+    QCOMPARE(damaged.code, 0);
+    QCOMPARE(damaged.err.count('\n'), 1);
+    QVERIFY2(damaged.err.contains("locked/palmer-machines.json: ") && damaged.err.contains("; kept in ") &&
+                 !damaged.err.contains("cannot be written"),
+             damaged.err);
+    QCOMPARE(contents(folder + "/palmer-machines.json"), QByteArray("{"));
+    QVERIFY(call({"list", "--json"}).out.contains("\"due\": \"2019-05-20\""));
+    write(m_dir->filePath("data/palmer/palmer-machines.json"), "[]");
+    const CliResult nowhere = call({"interval", "1", "12"});
+    QCOMPARE(nowhere.code, 3);
+    QCOMPARE(nowhere.err.count('\n'), 1);
+    QVERIFY2(nowhere.err.contains("data/palmer/palmer-machines.json: "), nowhere.err);
+    QVERIFY(call({"list", "--json"}).out.contains("\"due\": \"2019-05-20\""));
 }
 
 /// What the table of evaluated files says, the list says in the same columns and words; in spreadsheets as

@@ -714,6 +714,12 @@ void RegisterScanTest::whatIsSaidOfMachines_data() {
                                      << "no list";
     QTest::newRow("an interval in words") << head + R"([{"name": "A", "interval": "six"}]})"
                                           << "no list";
+    QTest::newRow("half a month") << head + R"([{"name": "A", "interval": 6.5}]})"
+                                  << "no list";
+    QTest::newRow("six months with a point") << head + R"([{"name": "A", "interval": 6.0}]})"
+                                             << "";
+    QTest::newRow("an interval beyond all numbers") << head + R"([{"name": "A", "interval": 1e300}]})"
+                                                    << "";
     QTest::newRow("a number as a name") << head + R"([{"name": 1}]})"
                                         << "no list";
     QTest::newRow("later") << QByteArray(R"({"format": "palmer machines", "version": 2})") << "newer";
