@@ -155,8 +155,12 @@ MachineFiles keptMachineFiles(Database &database) {
     return result;
 }
 
-void keepMachineFile(Database &database, const QString &folder, const QString &text) {
+void forgetMachineFile(Database &database, const QString &folder) {
     database.run(QStringLiteral("delete from register where name = ?"), {rowName + folder});
+}
+
+void keepMachineFile(Database &database, const QString &folder, const QString &text) {
+    forgetMachineFile(database, folder);
     database.insert(QStringLiteral("register (name, value)"), {rowName + folder, text});
 }
 

@@ -40,6 +40,7 @@ inline constexpr int longestInterval = 1200; ///< months
 using MachineFiles = std::map<QString, QString>;
 [[nodiscard]] MachineFiles keptMachineFiles(Database &database);
 void keepMachineFile(Database &database, const QString &folder, const QString &text);
+void forgetMachineFile(Database &database, const QString &folder);
 [[nodiscard]] MachineChoices keptChoices(Database &database);
 
 /// Returns the files that say something else than the register keeps: of the folders it knows, of these, and

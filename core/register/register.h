@@ -24,6 +24,7 @@ public:
 
     /// Ends a rebuild: what was written since becomes the register.
     void finish();
+    [[nodiscard]] bool isMadeAnew() const { return m_rebuild.has_value(); }
 
     [[nodiscard]] Database &database() { return m_database; }
 

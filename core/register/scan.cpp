@@ -152,8 +152,8 @@ public:
     }
 
     ScanResult run() {
+        m_known = RegisterWriter::sources(m_register.database()); // first: others add what comes meanwhile
         const Listing listing = listFiles(m_folders, m_options.stop);
-        m_known = RegisterWriter::sources(m_register.database());
         m_result.files = static_cast<int>(listing.files.size());
         for (const UnreadableFolder &folder : listing.unreadable)
             m_result.unreadable.push_back({folder.path, storedSentence(folder.error)});
@@ -247,12 +247,27 @@ private:
         QStringList unreadable;
         for (const UnreadableFolder &folder : listing.unreadable)
             unreadable << folder.path;
+        const auto isOfThese = [&](const QString &path) {
+            return isBelow(path, m_folders) && !isBelow(path, unreadable);
+        };
         std::vector<QString> vanished;
         for (const auto &[path, source] : m_known) {
-            const bool isThere = std::ranges::binary_search(listing.files, path, {}, &ListedFile::path);
-            if (!isThere && isBelow(path, m_folders) && !isBelow(path, unreadable))
+            if (isOfThese(path) && !std::ranges::binary_search(listing.files, path, {}, &ListedFile::path))
                 vanished.push_back(path);
         }
+        takeOut(vanished);
+        const bool prunes = m_options.prune && m_result.notPruned.isEmpty();
+        if (!prunes && !m_register.isMadeAnew())
+            return;
+        QStringList gone;
+        for (const auto &[folder, text] : keptMachineFiles(m_register.database())) {
+            if (isOfThese(folder) && !QFileInfo(folder).isDir())
+                gone << folder;
+        }
+        m_writer.takeMachineFiles({}, gone);
+    }
+
+    void takeOut(const std::vector<QString> &vanished) {
         m_result.notFound = static_cast<int>(vanished.size());
         if (vanished.empty())
             return;

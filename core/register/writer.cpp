@@ -137,8 +137,8 @@ int RegisterWriter::machineId(const MachineFields &machine, const QString &locat
     return id;
 }
 
-void RegisterWriter::takeMachineFiles(const MachineFiles &changed) {
-    if (changed.empty())
+void RegisterWriter::takeMachineFiles(const MachineFiles &changed, const QStringList &gone) {
+    if (changed.empty() && gone.isEmpty())
         return;
     Transaction transaction(m_database);
     begin();
@@ -147,6 +147,10 @@ void RegisterWriter::takeMachineFiles(const MachineFiles &changed) {
     for (const auto &[folder, text] : changed) {
         isNew = isNew || text != before[folder];
         keepMachineFile(m_database, folder, text);
+    }
+    for (const QString &folder : gone) {
+        isNew = isNew || !before[folder].isEmpty();
+        forgetMachineFile(m_database, folder);
     }
     m_choices = keptChoices(m_database);
     if (isNew)

@@ -49,7 +49,8 @@ public:
     void remove(const QString &path);
     /// A transaction of its own: keeps what users said of machines, and has every test belong to the machine
     /// that follows from it.
-    void takeMachineFiles(const MachineFiles &changed);
+    /// `gone`: folders that are no more, of which nothing is kept.
+    void takeMachineFiles(const MachineFiles &changed, const QStringList &gone = {});
     /// Replaces the results of a simulated test.
     void replaceResults(const QString &digest, const RegisteredTest &test);
 

@@ -201,6 +201,9 @@ private slots:
     void aNewerSchemaIsRefused();
     void noTwoMachinesBecomeOne();
     void anIntervalAndAJoinSurviveARebuild();
+    void whatIsSaidMovesWithItsFolder_data();
+    void whatIsSaidMovesWithItsFolder();
+    void whatComesMeanwhileIsNotGone();
     void whatIsSaidOfMachines_data();
     void whatIsSaidOfMachines();
     void readersNeedReadAccessOnly();
@@ -697,6 +700,64 @@ void RegisterScanTest::anIntervalAndAJoinSurviveARebuild() {
     QFile::remove(file(machineFileName));
     (void)scan(reg, {m_folder});
     QCOMPARE(titles(reg), (QStringList{"Lathe a", "Lathe b", "Lathe c"}));
+}
+
+void RegisterScanTest::whatIsSaidMovesWithItsFolder_data() {
+    QTest::addColumn<bool>("rebuild");
+    QTest::newRow("pruned") << false;
+    QTest::newRow("made anew") << true;
+}
+
+/// Of the place where it was nothing is kept that nobody could change any more.
+void RegisterScanTest::whatIsSaidMovesWithItsFolder() {
+    QFETCH(bool, rebuild);
+    for (const char *name : {"a", "b"}) {
+        Sample sample;
+        sample.machine = std::string("Lathe ") + name;
+        sample.serial = "";
+        writeFile(file(QString("old/%1.palmer").arg(name)), fileOf(sample));
+    }
+    writeFile(file("stays.palmer"), fileOf({}));
+    {
+        Register reg(m_path);
+        (void)scan(reg, {m_folder});
+        const auto all = machines(reg.database());
+        (void)chooseMachine(reg, all[1], &all[2], {}, Language(Language::Id::english));
+        QVERIFY(QFile::remove(file(machineFileName)));
+        writeFile(file("old/" + machineFileName), withChoice({}, all[1], &all[2], {}));
+        (void)scan(reg, {m_folder});
+        QCOMPARE(machines(reg.database()).size(), std::size_t{2});
+    }
+    QVERIFY(QDir(m_folder).rename("old", "new"));
+    QVERIFY(QFile::remove(file("new/" + machineFileName))); // parted again
+    Register reg(m_path, rebuild ? Register::Open::rebuild : Register::Open::keep);
+    (void)scan(reg, {m_folder}, {.prune = !rebuild});
+    QCOMPARE(machines(reg.database()).size(), std::size_t{3});
+}
+
+/// A file that another program adds to the register while one looks for files has not vanished.
+void RegisterScanTest::whatComesMeanwhileIsNotGone() {
+    for (int i = 0; i < 1000; ++i)
+        QDir().mkpath(file(QString("z/%1").arg(i))); // so that looking takes a while
+    { Register reg(m_path); }
+    std::atomic<bool> ends = false;
+    std::thread other([&] {
+        Register reg(m_path);
+        for (int i = 0; i < 60; ++i) {
+            const QString path = file(QString("%1.palmer").arg(i));
+            writeFile(path, fileOf({.level = 5 + 0.1 * i}));
+            (void)scan(reg, {path});
+        }
+        ends = true;
+    });
+    Register reg(m_path);
+    int gone = 0;
+    while (!ends) {
+        const ScanResult result = scan(reg, {m_folder}, {.prune = true, .force = true});
+        gone += result.pruned;
+    }
+    other.join();
+    QCOMPARE(gone, 0);
 }
 
 void RegisterScanTest::whatIsSaidOfMachines_data() {
