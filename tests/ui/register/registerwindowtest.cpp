@@ -330,7 +330,7 @@ private slots:
     void drivenByKeysAloneInTheDark() {
         const auto back = qScopeGuard([before = themeChoice()] { setThemeChoice(before); });
         setThemeChoice(ThemeChoice::dark);
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
         const auto focused = [] {
             const QWidget *widget = QApplication::focusWidget();
             return widget ? widget->objectName() : QString();
@@ -447,11 +447,12 @@ private slots:
             QCOMPARE(tabTo("joinMachinesButton"), QString());
             press(Qt::Key_Return);
             QTRY_VERIFY(QApplication::activeModalWidget());
+            QVERIFY(QTest::qWaitForWindowActive(QApplication::activeModalWidget(), patience)); // has the keys
             press(key);
             QTRY_VERIFY(!QApplication::activeModalWidget());
             settle();
             m_window->activateWindow(); // as a window manager does
-            QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+            QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
             QCOMPARE(machines->model()->rowCount(), key == Qt::Key_Escape ? 2 : 1);
         }
         QTest::keySequence(target(), QKeySequence(QKeySequence::Close));
@@ -690,7 +691,7 @@ private slots:
         QVERIFY(find<QLabel>("machineName")->isVisible());
         QVERIFY(find<TrendChart>("trendChart")->height() > before + 100);
         m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
         QTest::keyClick(m_window.get(), Qt::Key_Escape);
         QCoreApplication::processEvents();
         QVERIFY(find<QTableView>("tests")->isVisible());
