@@ -81,8 +81,8 @@ void requireKnown(int version) {
 Register::Register(const QString &address, Open open)
     : m_newFile(address)
     , m_database(address, open == Open::read ? Database::Use::read : Database::Use::write) {
-    if (m_database.isServer() && open != Open::read) // its own schema, separate from other contents
-        m_database.execute(QStringLiteral("create schema if not exists palmer_register"));
+    if (m_database.isServer() && open != Open::read)
+        makePlace();
     if (m_database.isServer())
         m_database.execute(QStringLiteral("set search_path to palmer_register"));
     if (open == Open::read)
@@ -125,14 +125,31 @@ int Register::schemaVersion() {
         .toInt();
 }
 
+/// Its own place on a server, separate from other contents. To make it takes a right that to write does not.
+void Register::makePlace() {
+    const QString known =
+        QStringLiteral("select count(*) from pg_catalog.pg_namespace where nspname = 'palmer_register'");
+    if (m_database.first(known).value_or(0).toInt() > 0)
+        return;
+    Transaction transaction(m_database);
+    lockBeginners();
+    m_database.execute(QStringLiteral("create schema if not exists palmer_register"));
+    transaction.commit();
+}
+
+/// Two that begin at once: one waits for the other.
+void Register::lockBeginners() {
+    if (m_database.isServer())
+        m_database.execute(QStringLiteral("select pg_advisory_xact_lock(7256637)"));
+}
+
 void Register::makeSchema() {
     const int before = schemaVersion();
     if (before == newest)
         return;
     requireKnown(before);
     Transaction transaction(m_database);
-    if (m_database.isServer()) // two that begin at once: one waits for the other
-        m_database.execute(QStringLiteral("select pg_advisory_xact_lock(7256637)"));
+    lockBeginners();
     const int first = schemaVersion();
     for (int step = first; step < newest; ++step) {
         for (const char *statement : schemaSteps.at(static_cast<std::size_t>(step)))

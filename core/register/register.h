@@ -32,6 +32,8 @@ public:
     [[nodiscard]] static QString standardPath();
 
 private:
+    void makePlace();
+    void lockBeginners();
     void makeSchema();
     void keepIntervals();
     void empty();

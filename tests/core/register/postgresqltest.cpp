@@ -93,7 +93,9 @@ private slots:
             QCOMPARE(listed(reader.database()), all);
             QVERIFY(!machines(reader.database()).empty());
         }
-        QVERIFY_EXCEPTION_THROWN((void)Register(address), Error);
+        writeFile(m_dir.filePath("fresh/a.palmer"), fileOf({}));
+        Register writer(address);
+        QVERIFY_EXCEPTION_THROWN((void)scan(writer, {m_dir.filePath("fresh")}), Error);
         Register(m_server->address()).database().execute("drop owned by reader");
     }
 
@@ -132,7 +134,25 @@ private slots:
         QVERIFY(trendJson({}, "X", machineTrend(list, "A")).contains("slopePerYear"));
     }
 
+    /// To scan takes no right to make something in the database.
+    void writersNeedTheTablesOnly() {
+        {
+            Register reg(m_server->address());
+            for (const char *statement : {"drop role if exists writer", "create role writer login",
+                                          "grant usage on schema palmer_register to writer",
+                                          "grant all on all tables in schema palmer_register to writer"})
+                reg.database().execute(QString::fromLatin1(statement));
+        }
+        const QString address = QString(m_server->address()).replace("palmer@", "writer@");
+        for (const auto open : {Register::Open::keep, Register::Open::rebuild}) {
+            Register reg(address, open);
+            QCOMPARE(scan(reg, {m_files.path()}).tests, 60);
+        }
+        Register(m_server->address()).database().execute("drop owned by writer");
+    }
+
     void twoWriteAtOnce() {
+        Register(m_server->address()).database().execute("drop schema palmer_register cascade");
         std::vector<std::thread> writers;
         std::array<QString, 3> troubles;
         for (QString &trouble : troubles)
