@@ -79,6 +79,7 @@ void RegisterService::setFolders(const QStringList &folders) {
     if (m_keepsFolders)
         QSettings().setValue(foldersKey, m_folders);
     m_lane.cancel();
+    m_stopScan = {}; // a scan that is just beginning learns of its end only later
     if (m_folders.isEmpty())
         m_later.stop();
     else
@@ -94,6 +95,7 @@ void RegisterService::setAddress(const QString &address) {
             QSettings().remove(serverKey);
     }
     m_lane.cancel();
+    m_stopScan = {};
     m_address = address;
     m_result = {};
     m_trouble.clear();

@@ -44,8 +44,9 @@ public:
     ~PostgresqlServer() { stop(); }
 
     bool start() {
-        return run({m_programs + "pg_ctl", "-D", data(), "-w", "-t", "120", "-l", m_dir.filePath("log"), "-o",
-                    QString("-h 127.0.0.1 -p %1 -k '' -F").arg(m_port), "start"});
+        return run({m_programs + "pg_ctl", "-D", data(), "-w", "-t", QString::number(patience / 1000), "-l",
+                    m_dir.filePath("log"), "-o", QString("-h 127.0.0.1 -p %1 -k '' -F").arg(m_port),
+                    "start"});
     }
     void stop() {
         if (!m_programs.isEmpty() && QFileInfo::exists(data()))
