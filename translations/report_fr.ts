@@ -10033,7 +10033,7 @@
     </message>
     <message>
         <source>No uncertainty is known in both tests: nothing is said of a change.</source>
-        <translation>Aucune incertitude n’est connue dans les deux essais&#xa0;: rien n’est dit d’un changement.</translation>
+        <translation>L’incertitude n’est pas connue pour les deux essais&#xa0;: rien n’est dit d’un changement.</translation>
     </message>
     <message>
         <source>the instrument</source>
@@ -10145,6 +10145,10 @@
         <translation>%1 points visés communs&#x202f;; les %2 premiers cycles de chaque essai</translation>
     </message>
     <message>
+        <source>%1 common targets; the first cycle of each test</source>
+        <translation>%1 points visés communs&#x202f;; le premier cycle de chaque essai</translation>
+    </message>
+    <message>
         <source>Differences of the parameters</source>
         <translation>Différences des grandeurs</translation>
     </message>
@@ -10154,7 +10158,15 @@
     </message>
     <message>
         <source>Shared by both tests: %1; all other errors are those of each.</source>
-        <translation>Commun aux deux essais&#xa0;: %1&#x202f;; toutes les autres erreurs sont propres à chacun.</translation>
+        <translation>Communs aux deux essais&#xa0;: %1&#x202f;; toutes les autres erreurs sont propres à chacun.</translation>
+    </message>
+    <message>
+        <source>%1, not in the other test: %2</source>
+        <translation>%1, absents de l’autre essai&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Readings without a value</source>
+        <translation>Lectures sans valeur</translation>
     </message>
     <message>
         <source>“Changed” where the difference exceeds its U, always between these two sessions. Of simulated pairs without a change, up to 12 % show one of A, E, M, R and B changed.</source>

@@ -41,6 +41,7 @@ private slots:
     void saysWhatHasChanged();
     void aFileStatesWhatItCompares();
     void theWordsAreExplained();
+    void whatDiffersIsSaid();
     void circlesAreComparedBySourcesAndPaths();
     void printsItInBothLanguages();
     void itsJsonIsThatOfItsSchema();
@@ -107,6 +108,48 @@ void CompareCommandTest::theWordsAreExplained() {
                                      .simplified();
     QVERIFY2(laboratories.contains("E_n (ISO/IEC 17043): difference over its U"), qPrintable(laboratories));
     QVERIFY(!laboratories.contains("“Changed”"));
+}
+
+/// Nothing that a test states otherwise is called alike, and what was compared stands above the result.
+void CompareCommandTest::whatDiffersIsSaid() {
+    const QTemporaryDir folder;
+    QFile file(both);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    int made = 0;
+    const auto said = [&](const char *from, const char *to) {
+        QByteArray changed = bytes;
+        const qsizetype at = changed.lastIndexOf(from); // in the second test
+        if (at < 0)
+            return QString();
+        changed.replace(at, qstrlen(from), to);
+        QFile other(folder.filePath(QString::number(++made) + ".palmer"));
+        if (!other.open(QIODevice::WriteOnly))
+            return QString();
+        other.write(changed);
+        other.close();
+        return QString::fromUtf8(
+                   runCli({"compare", both, other.fileName(), "--test", "1,2", "--language", "en"}).out)
+            .simplified();
+    };
+    struct Change {
+        const char *from, *to, *words;
+    };
+    for (const auto &[from, to, words] :
+         {Change{"601.11", "604.11", "11, not in the other test: 604.11 mm"},
+          Change{R"("machine": 11.5)", R"("machine": 12.5)", "α machine 11.5 µm/(m·°C) 12.5 µm/(m·°C)"},
+          Change{R"("environmentalVariation": 1.0)", R"("environmentalVariation": 2.0)",
+                 "Uncertainty budget"},
+          Change{R"("travel": 1600.0)", R"("travel": 1700.0)", "Axis travel 1 600 mm 1 700 mm"},
+          Change{R"("position": "table")", R"("position": "column")", "Machine, column"}}) {
+        const QString text = QString(said(from, to)).replace(QChar(0x202f), ' ').replace(QChar(0xa0), ' ');
+        const QString above = text.left(text.indexOf("Alike:"));
+        QVERIFY2(above.contains(words), qPrintable(QString(from) + '\n' + text));
+    }
+    const QString text = said("601.11", "604.11");
+    for (const char *words : {"Positioning test of the X axis · ISO 230-2:2006",
+                              "10 common targets; the first 5 cycles of each test"})
+        QVERIFY2(text.contains(words), words);
 }
 
 void CompareCommandTest::circlesAreComparedBySourcesAndPaths() {

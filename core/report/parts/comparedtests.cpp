@@ -3,6 +3,7 @@
 #include "report/parts/comparedtests.h"
 
 #include "figures/differencefigure.h"
+#include "figures/testfigures.h"
 #include "language/rounding.h"
 #include "report/parts/parts.h"
 #include "report/tables/diagnosisrows.h"
@@ -146,8 +147,82 @@ QString instrumentsOf(const PlacedTest &placed) {
     return names.join(QStringLiteral("\n"));
 }
 
+/// "11", and the first of them that the other test does not have.
+QString targetsOf(const PositioningMeasurement &m, const PlacedTest &other, const Writer &write) {
+    constexpr qsizetype mostNamed = 4;
+    const Quantity quantity = m.axis.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    const auto *theirs = std::get_if<PositioningMeasurement>(&other.test().measurement);
+    QStringList alone;
+    for (const double target : m.targets) {
+        const auto isSame = [target](double one) { return std::abs(one - target) <= sameTarget; };
+        if (theirs && std::ranges::none_of(theirs->targets, isSame))
+            alone << write.language().quantity(target, quantity);
+    }
+    if (alone.size() > mostNamed)
+        alone = alone.mid(0, mostNamed) << QStringLiteral("…");
+    const QString count = write.language().number(static_cast<double>(m.targets.size()), Quantity::count, 0);
+    return alone.isEmpty() ? count
+                           : write.say(REPORT_TEXT("report", "%1, not in the other test: %2"),
+                                       {count.toStdString(), alone.join(write.semicolon()).toStdString()});
+}
+
+/// How many readings of the runs have no value or are excluded; empty: none.
+QString gapsOf(const PositioningMeasurement &m, const Writer &write) {
+    std::size_t gaps = m.excluded.size();
+    for (const Run &run : m.runs)
+        gaps += m.targets.size() - run.deviations.size() +
+                static_cast<std::size_t>(
+                    std::ranges::count_if(run.deviations, [](const auto &value) { return !value; }));
+    return gaps > 0 ? write.language().number(static_cast<double>(gaps), Quantity::count, 0) : QString();
+}
+
+bool statesSameUncertainty(const Test &a, const Test &b) {
+    return std::visit(
+        [](const auto &one, const auto &other) {
+            if constexpr (requires { one.uncertainty == other.uncertainty; })
+                return one.uncertainty == other.uncertainty;
+            else
+                return false;
+        },
+        a.measurement, b.measurement);
+}
+
+/// The contributions with another U than in the other test, a line each; a sign if the same is stated.
+QString budgetOf(const PlacedTest &placed, const PlacedTest &other, const Writer &write) {
+    if (statesSameUncertainty(placed.test(), other.test())) {
+        const UncertaintyMethod *method = methodOf(placed.test());
+        return method && *method != UncertaintyMethod::none ? QStringLiteral("=") : QString();
+    }
+    const Quantity quantity = deviationQuantity(placed.test());
+    const auto &theirs = other.evaluation().uncertainty.contributions;
+    QStringList lines;
+    for (const Contribution &one : placed.evaluation().uncertainty.contributions) {
+        const auto same = std::ranges::find(theirs, std::string_view(one.id),
+                                            [](const Contribution &c) { return std::string_view(c.id); });
+        if (same == theirs.end() || same->expanded != one.expanded)
+            lines << write.say(REPORT_TEXT("report", "%1: %2"),
+                               {contributionName(one, write.language()).toStdString(),
+                                one.expanded
+                                    ? write.language().quantity(*one.expanded, quantity, 2).toStdString()
+                                    : std::string("–")});
+    }
+    return lines.join(u'\n');
+}
+
+/// What else a test states of the surroundings: coefficients, air, places of the sensors.
+void addSurroundings(LabelledRows &rows, const Conditions &conditions, const Writer &write) {
+    QStringList places;
+    for (const Sensor &sensor : conditions.sensors)
+        places << joined({write.text(sensorText(sensor.measures)), QString::fromStdString(sensor.position)});
+    rows.add(REPORT_TEXT("report", "Temperature sensors"), places.join(u'\n'));
+    rows.add(REPORT_TEXT("report", "α machine"),
+             write.quantity(conditions.expansion.machine, Quantity::expansion));
+    rows.add(REPORT_TEXT("report", "α instrument"),
+             write.quantity(conditions.expansion.instrument, Quantity::expansion));
+}
+
 /// The statements about a test other than its readings, in the order of the report.
-std::vector<KeyValue> statedRows(const PlacedTest &placed, const Writer &write) {
+std::vector<KeyValue> statedRows(const PlacedTest &placed, const PlacedTest &other, const Writer &write) {
     const Test &test = placed.test();
     const Document &document = *placed.evaluated->document;
     LabelledRows rows(write);
@@ -162,15 +237,21 @@ std::vector<KeyValue> statedRows(const PlacedTest &placed, const Writer &write) 
     if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
         const auto up = std::ranges::count(m->runs, Direction::positive, &Run::approach);
         const auto down = std::ranges::count(m->runs, Direction::negative, &Run::approach);
-        rows.add(REPORT_TEXT("report", "Target positions"),
-                 write.language().number(static_cast<double>(m->targets.size()), Quantity::count, 0));
+        rows.add(REPORT_TEXT("report", "Axis travel"),
+                 write.quantity(m->axis.travel,
+                                m->axis.motion == Motion::linear ? Quantity::position : Quantity::angle));
+        rows.add(REPORT_TEXT("report", "Target positions"), targetsOf(*m, other, write));
         rows.add(REPORT_TEXT("report", "Runs"), QStringLiteral("%1 ↑, %2 ↓").arg(up).arg(down));
+        rows.add(REPORT_TEXT("report", "Readings without a value"), gapsOf(*m, write));
         rows.add(REPORT_TEXT("report", "Correction to 20 °C"),
                  write.text(correctionText(m->conditions.common.correctionTo20)));
         if (placed.evaluation().edition)
             rows.add(REPORT_TEXT("report", "Cycle"),
                      write.text(cycleText(m->cycle, *placed.evaluation().edition)));
     }
+    if (const Conditions *conditions = conditionsOf(test))
+        addSurroundings(rows, *conditions, write);
+    rows.add(REPORT_TEXT("report", "Uncertainty budget"), budgetOf(placed, other, write));
     std::vector<KeyValue> all = rows.take().rows;
     if (placed.evaluation().edition) {
         const TestPart part{write, *placed.evaluated, test, placed.evaluation(), placed.index};
@@ -351,8 +432,8 @@ std::vector<ComparedWords> comparedWords(const TestComparison &comparison, const
 ComparedConditions compareConditions(const PlacedTest &before, const PlacedTest &after,
                                      const Language &language) {
     const Writer write(language);
-    const std::vector<KeyValue> was = statedRows(before, write);
-    const std::vector<KeyValue> is = statedRows(after, write);
+    const std::vector<KeyValue> was = statedRows(before, after, write);
+    const std::vector<KeyValue> is = statedRows(after, before, write);
     ComparedConditions result;
     // Some names stand twice, as that of the machine and that of its temperature.
     std::vector<bool> seen(was.size());
@@ -490,7 +571,9 @@ std::vector<Block> comparisonBlocks(const TestComparison &comparison, const Plac
     }
     QStringList notes;
     if (comparison.cycles > 0) {
-        notes << write.say(REPORT_TEXT("report", "%1 common targets; the first %2 cycles of each test"),
+        notes << write.say(comparison.cycles == 1
+                               ? REPORT_TEXT("report", "%1 common targets; the first cycle of each test")
+                               : REPORT_TEXT("report", "%1 common targets; the first %2 cycles of each test"),
                            {wholeNumber(comparison.commonTargets), wholeNumber(comparison.cycles)});
     }
     if (!comparison.parameters.empty()) {
@@ -521,16 +604,23 @@ Report composeComparison(const TestComparison &comparison, const PlacedTest &bef
     const Writer write(language);
     Report report;
     report.language = language.code();
-    report.blocks.emplace_back(
-        Heading{1, write.text(REPORT_TEXT("report", "Comparison of two tests")),
+    // A terminal shows no notes next to headings.
+    const auto add = [&](Block block) {
+        const auto *heading = std::get_if<Heading>(&block);
+        const QString note = heading ? heading->note.plain() : QString();
+        report.blocks.push_back(std::move(block));
+        if (!note.isEmpty())
+            report.blocks.emplace_back(Paragraph{note, TextSize::small});
+    };
+    add(Heading{1, write.text(REPORT_TEXT("report", "Comparison of two tests")),
                 joined({testName(write, after.test()),
                         QString::fromUtf8(comparison.edition ? comparison.edition->word : "")},
                        QStringLiteral(" · "))});
-    report.blocks.emplace_back(Paragraph{write.text(comparisonNature()), TextSize::small});
+    add(Paragraph{write.text(comparisonNature()), TextSize::small});
     if (VerdictLine line = decisionLine(comparison, language); !line.word.isEmpty())
-        report.blocks.emplace_back(std::move(line));
-    std::ranges::move(comparisonBlocks(comparison, before, after, language, tolerance),
-                      std::back_inserter(report.blocks));
+        add(std::move(line));
+    for (Block &block : comparisonBlocks(comparison, before, after, language, tolerance))
+        add(std::move(block));
     return report;
 }
 
