@@ -160,9 +160,11 @@ private:
             const QByteArray file = attachedFile(*whole, originals);
             return std::pair(file, attachmentsOf(attachedFileName(*whole), file, {}));
         });
+        const bool hasAnnex = !m_invocation.has(annexOption);
         const EvaluatedDocument evaluated =
-            simulated(evaluate(whole, nullptr, m_edition), SimulateWhich::forReport, m_inputs.several ? 1 : 0,
-                      m_invocation.language);
+            simulated(evaluate(whole, nullptr, m_edition),
+                      hasAnnex ? SimulateWhich::forReport : SimulateWhich::monteCarloOnly,
+                      m_inputs.several ? 1 : 0, m_invocation.language);
         const QStringList languages = languagesOf(m_invocation, *evaluated.document);
         if (output == QLatin1StringView("-") && languages.size() > 1)
             throw UsageError(
@@ -182,7 +184,7 @@ private:
                                    originals,
                                    testFile,
                                    {},
-                                   !m_invocation.has(annexOption)};
+                                   hasAnnex};
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
             const Report report = composeReport(evaluated, Language::fromName(name).value(), stated);

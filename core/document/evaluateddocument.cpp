@@ -369,7 +369,9 @@ bool isSimulationDue(const EvaluatedDocument &evaluated, std::size_t test, Simul
     if (!uncertainty.wantsSimulation() || (uncertainty.simulation && !uncertainty.outdated))
         return false;
     const auto &leftOut = evaluated.document->report.leaveOut;
-    const bool isPrinted = std::ranges::find(leftOut, ReportPart::uncertainty) == leftOut.end();
+    const bool isPrinted = std::ranges::none_of(leftOut, [](ReportPart part) {
+        return part == ReportPart::uncertainty || part == ReportPart::annex; // the budget stands in the annex
+    });
     return uncertainty.method == UncertaintyMethod::monteCarlo ||
            (which == SimulateWhich::forReport && isPrinted &&
             !isTooLargeUnasked(*evaluated.document->tests[test]));

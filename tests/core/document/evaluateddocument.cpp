@@ -432,10 +432,12 @@ private slots:
         constexpr auto all = SimulateWhich::forReport;
         constexpr std::size_t most = 452; // · 2.2·10⁵ is less than 10⁸, 456 is more
         QVERIFY(isSimulationDue(evaluate(documentOf({test(most)})), 0, all));
-        Document unprinted;
-        unprinted.report.leaveOut = {ReportPart::uncertainty};
-        unprinted.tests = {std::make_shared<const Test>(test(most))};
-        QVERIFY(!isSimulationDue(evaluate(std::make_shared<const Document>(unprinted)), 0, all));
+        for (const ReportPart part : {ReportPart::uncertainty, ReportPart::annex}) {
+            Document unprinted;
+            unprinted.report.leaveOut = {part};
+            unprinted.tests = {std::make_shared<const Test>(test(most))};
+            QVERIFY(!isSimulationDue(evaluate(std::make_shared<const Document>(unprinted)), 0, all));
+        }
         Test large = test(most + 4);
         QVERIFY(!isSimulationDue(evaluate(documentOf({large})), 0, all));
         measurement(large).uncertainty.method = UncertaintyMethod::monteCarlo;
