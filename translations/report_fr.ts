@@ -8258,6 +8258,10 @@
         <translation>Sens&#xa0;: aucun mot ne dit quelle colonne est horaire&#x202f;; les deux sont lues dans le sens des angles.</translation>
     </message>
     <message>
+        <source>Sign: the positions beside the deviations tell that these are target − actual; read so.</source>
+        <translation>Signe&#xa0;: d’après les positions voisines, les écarts sont «&#xa0;visé − réel&#xa0;»&#x202f;; lus ainsi.</translation>
+    </message>
+    <message>
         <source>Sign: the file says “%1”; read as target − actual.</source>
         <translation>Signe&#xa0;: le fichier indique «&#xa0;%1&#xa0;»&#x202f;; lu comme «&#xa0;visé − réel&#xa0;».</translation>
     </message>

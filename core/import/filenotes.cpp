@@ -64,7 +64,20 @@ bool readForm(const std::string &line, FileNotes &notes) {
             R"(\b(?:signs?(?![-\s]*off)|vorzeichen|signes?|segn[oi]|signos?|inwards?|nach innen|vers l['’]int[eé]rieur|)"
             R"(verso l['’]interno|hacia dentro)\b)"),
         QRegularExpression::CaseInsensitiveOption);
+    // "Positions in inches, deviations in microns"
+    static const QRegularExpression between(QStringLiteral(R"(\s*[,;]\s+|\s+(?:and|und|et)\s+)"));
     const QString text = QString::fromStdString(line).trimmed();
+    const QStringList clauses = text.split(between);
+    const auto isOfPlace = [](const QString &clause) {
+        return isOneOf(readHeading(clause.toStdString()).meaning, {Meaning::place, Meaning::target});
+    };
+    if (std::ranges::count_if(clauses, isOfPlace) == 1 && clauses.size() == 2 &&
+        std::ranges::all_of(clauses, [](const QString &clause) {
+            return behindIn.match(clause).hasMatch() && saidUnit(clause.toStdString()).unit;
+        }))
+        return std::ranges::count_if(clauses, [&notes](const QString &clause) {
+                   return readForm(clause.toStdString(), notes);
+               }) == clauses.size();
     const SaidUnit said = saidUnit(line);
     const bool isSize =
         said.unit && (said.unit->kind == UnitKind::length || said.unit->kind == UnitKind::angle);
@@ -79,7 +92,10 @@ bool readForm(const std::string &line, FileNotes &notes) {
         "resol|auflos|risol|cert|sicher|toler|limit|accura|genau|precis|dead path|travel|distan|cover|expan|"
         "elarg|erweit|copert|cobert|dilat|ausdehn|compens|kompens|correl"));
     const bool isPart = !said.foreign.empty() && said.foreign.front() >= '0' && said.foreign.front() <= '9';
-    if ((isPart || scale.match(text).hasMatch()) && !unit.isSaid() &&
+    const bool isOfReadings =
+        isOfPlaces || isOneOf(meaning, {Meaning::deviation, Meaning::reading, Meaning::actual});
+    const bool isForeign = isOfReadings && !said.foreign.empty() && behindIn.match(text).hasMatch();
+    if ((isPart || isForeign || scale.match(text).hasMatch()) && !unit.isSaid() &&
         !other.match(QString::fromStdString(folded(line))).hasMatch())
         unit.foreign = text.toStdString();
     else if (sign.match(text).hasMatch() && notes.sign.words.empty())

@@ -73,7 +73,7 @@ const Unit *unitBehind(std::string_view text) {
     const bool isLetter = text.size() == 1 && static_cast<unsigned char>(text.front()) < 0x80 && text != "\"";
     if (text.empty() || isLetter || text.find_first_of(" \t:=;,/_()[]{}|") != std::string_view::npos)
         return nullptr;
-    const Unit *unit = unitIn('(' + std::string(text == "\"\"" ? text.substr(1) : text) + ')');
+    const Unit *unit = unitIn('(' + std::string(text) + ')');
     return unit && unit->kind != UnitKind::time ? unit : nullptr;
 }
 

@@ -24,7 +24,7 @@ struct ForeignUnits {
 
 // No single letters, which are axes and directions, and no words used in brackets after headings for other
 // reasons: "(rev)", "(inc)", "(pm)", "(turn)", "(NA)".
-constexpr std::array<ForeignUnits, 7> foreignUnits{{
+constexpr std::array<ForeignUnits, 8> foreignUnits{{
     {false, "ppm|ppb|%|‰|°f|degf|fahrenheit|kelvin|percent|prozent|pourcent"},
     {false, "angstrom|ångström|ångstrom|furlong|furlongs|thou|thous|mils|nrad|mgon|cgon"},
     {false, "mv|uv|kv|ma|khz|mhz|ghz|hpa|kpa|mpa|mbar|mmhg|psi|rpm|u/min|tr/min|1/min"},
@@ -32,6 +32,9 @@ constexpr std::array<ForeignUnits, 7> foreignUnits{{
     {true, "deg f|volt|volts|ampere|amp|amps|ua|hz|newton|mn|kn|n·m|pa|bar|kg|lb|lbs|kw|mw|db|ohm|ω|kω"},
     {true, "digit|digits|count|counts|cts|increments|incréments|inkremente|incrementi|incrementos|pulses|"
            "impulse|impulses|impulsions|steps|pixel|pixels|px|lsb|fringes|franges|% rh|%rh|%rf|vol%"},
+    {true,
+     "hundredth|hundredths|thousandth|thousandths|zehntel|hundertstel|tausendstel|dixième|dixièmes|centième|"
+     "centièmes|millième|millièmes|decimi|centesimi|millesimi|décimas|centésimas|milésimas"},
     {true, "v|ticks|tick|div|divs|inc|incs|increment|tenths|tenth|pm|å|Å|mu|raw|adc|us|ns|day|days|jour|"
            "jours|tag|tage|week|weeks"},
 }};
@@ -90,6 +93,7 @@ constexpr std::array spellings{
     Spelling{"cm", "cm"},           Spelling{"gon", "gon"},        Spelling{"мм", "mm"},
     Spelling{"мкм", "um"},          Spelling{"毫米", "mm"},        Spelling{"微米", "um"},
     Spelling{"ミクロン", "um"},     Spelling{"ミリ", "mm"},        Spelling{"度", "deg", true},
+    Spelling{"'", "arcmin", true},  Spelling{"’", "arcmin", true},
 };
 
 /// Full names of units in the languages of headings.
@@ -157,6 +161,8 @@ const std::unordered_map<std::string_view, KnownUnit> &dictionaryOfUnits() {
 const Unit *spelled(std::string_view text, bool inBrackets) {
     constexpr std::size_t longest = 20;
     if (text.size() > 2 && text.ends_with('.')) // "mm.", "arcsec."
+        text.remove_suffix(1);
+    if (text == "\"\"") // of a quoted cell
         text.remove_suffix(1);
     if (text.empty() || text.size() > longest)
         return nullptr;
@@ -317,6 +323,25 @@ SaidUnit unitAmongWords(std::string_view text) {
     return last;
 }
 
+/// "Abweichung in Hundertstel", "écart en m", "deviation in ticks": the last word, treated as if in brackets.
+/// Of single letters only units of length and time, as the others are axes.
+SaidUnit unitBehindPreposition(std::string_view text) {
+    text = withoutBlanks(text);
+    const std::size_t blank = text.rfind(' ');
+    if (blank == std::string_view::npos)
+        return {};
+    const std::string before = lowerCase(withoutBlanks(text.substr(0, blank)));
+    if (!before.ends_with(" in") && !before.ends_with(" en"))
+        return {};
+    const std::string_view last = text.substr(blank + 1);
+    const std::string bare = plain(last);
+    if (bare.size() == 1 && std::string_view("msh").find(bare[0]) == std::string_view::npos)
+        return {};
+    if (const Unit *unit = spelled(bare, true))
+        return {unit};
+    return isForeignUnit(bare, true) ? SaidUnit{nullptr, std::string(last)} : SaidUnit();
+}
+
 } // namespace
 
 SaidUnit saidUnit(std::string_view text) {
@@ -331,6 +356,8 @@ SaidUnit saidUnit(std::string_view text) {
     SaidUnit said = unitInBrackets(text);
     if (!said.isSaid())
         said = unitAmongWords(text);
+    if (!said.isSaid())
+        said = unitBehindPreposition(text);
     if (const std::string scale = said.unit ? scaleIn(bare) : std::string(); !scale.empty())
         return {nullptr, scaledWords(text, scale)};
     return said;

@@ -156,7 +156,7 @@ private:
         if (m_choices.isChosen(key) && !fitting(unitOf(m_choices.chosen(key))))
             refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
                           nameOfChoice(key), nameOfWord(key, m_choices.chosen(key)));
-        const bool isUnclear = key == "unit" && !m_positions && !isClearSize();
+        const bool isUnclear = key == "unit" ? !m_positions && !isClearSize() : areInInches();
         return palmer::resolveUnit(
             key, said, fitting(said.unit), *guess,
             {question, isUnclear ? RemarkGrade::problem : RemarkGrade::assumption, contradiction(said, key)},
@@ -187,6 +187,12 @@ private:
         return isBase && size > 0 && (size < smallest || size >= largest);
     }
 
+    /// True if the readings are in inches, so that positions without unit are hardly in mm.
+    [[nodiscard]] bool areInInches() const {
+        const Unit *unit = m_stated.unit.unit;
+        return unit && (unit == unitOf("in") || unit == unitOf("uin"));
+    }
+
     void resolveUnits() {
         const Unit *base = unitOf(m_angular ? "deg" : "mm");
         m_form.positionUnit = resolveUnit(
@@ -194,7 +200,7 @@ private:
             m_stated.positionUnit.isSaid() ? m_stated.positionUnit
             : m_positions                  ? SaidUnit{fitting(m_stated.unit.unit)}
                                            : SaidUnit{},
-            base,
+            areInInches() ? unitOf("in") : base,
             REPORT_TEXT("report", "Unit of the target positions: nothing in the file says it; read as %1."));
         const double largest = m_low <= m_high ? std::max(std::abs(m_low), std::abs(m_high)) : 0;
         constexpr double finestGuess = 0.5; // no deviation is half a millimetre or degree
@@ -220,7 +226,11 @@ private:
                                                    : std::string_view(m_form.sign),
                                             proven ? Origin::recognised : Origin::guessed);
         m_form.sign = sign.value;
-        if (sign.origin == Origin::guessed && said)
+        if (proven && sign.origin == Origin::recognised && sign.value == "targetMinusActual")
+            m_remarks.note("sign",
+                           REPORT_TEXT("report", "Sign: the positions beside the deviations tell that these "
+                                                 "are target − actual; read so."));
+        else if (sign.origin == Origin::guessed && said)
             ask({sign.value == "targetMinusActual"
                      ? REPORT_TEXT("report", "Sign: the file says “%1”; read as target − actual.")
                      : REPORT_TEXT("report", "Sign: the file says “%1”; read as actual − target."),

@@ -76,6 +76,12 @@ private slots:
                 << "Position (mm);Forward dev. in " + QByteArray(word) + ";Reverse dev. in " + word +
                        "\n0;1;2\n90;2;3\n180;3;4\n"
                 << "unit" << QString(word);
+        for (const char *word :
+             {"Hundertstel", "centièmes", "hundredths", "thousandths", "ticks", "increments", "volts"})
+            QTest::newRow(qPrintable(QString("behind in: ") + word))
+                << "Position (mm);Forward deviation in " + QByteArray(word) + ";Reverse deviation in " +
+                       word + "\n0;1;2\n90;2;3\n180;3;4\n"
+                << "unit" << QString(word);
         QTest::newRow("row of units")
             << QByteArray("Position;Forward;Reverse\nmm;ppm;ppm\n0;1;2\n90;2;3\n180;3;4\n") << "unit"
             << "ppm";
@@ -149,6 +155,37 @@ private slots:
         QCOMPARE(choiceOf(rotary, "motion"), "rotary");
     }
 
+    /// "All dimensions in inches" does not leave the positions in millimetres; a line of two clauses has two
+    /// units.
+    void unitsAboveTheTable_data() {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<QString>("positionUnit");
+        QTest::addColumn<bool>("isAsked");
+        QTest::newRow("inches") << QByteArray("All dimensions in inches") << "in"
+                                << "in" << true;
+        QTest::newRow("microns, inches") << QByteArray("Values in microns, positions in inches") << "um"
+                                         << "in" << false;
+        QTest::newRow("m, µm") << QByteArray("Positions en m, écarts en µm") << "um"
+                               << "m" << false;
+        QTest::newRow("mm and µm") << QByteArray("Positions in mm and deviations in µm") << "um"
+                                   << "mm" << false;
+        QTest::newRow("µm") << QByteArray("All values in µm") << "um"
+                            << "mm" << false;
+    }
+    void unitsAboveTheTable() {
+        QFETCH(QByteArray, line);
+        QFETCH(QString, unit);
+        QFETCH(QString, positionUnit);
+        QFETCH(bool, isAsked);
+        const Imported imported = showMeasurement(
+            line + "\nPosition;Forward;Reverse\n0;0.001;0.002\n90;0.002;0.003\n180;0.003;0.004\n", "x.csv");
+        QCOMPARE(choiceOf(imported, "unit"), unit);
+        QCOMPARE(choiceOf(imported, "positionUnit"), positionUnit);
+        const Question *question = find(imported, "positionUnit");
+        QCOMPARE(question && !question->canBeAssumed(), isAsked);
+    }
+
     void refusesAMotionThatTheHeadingsDeny_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("motion");
@@ -187,7 +224,8 @@ private slots:
         row("millidegrees", 0.001, true);
         for (const char *second : {"arc sec", "Arc Sec", "arc seconds", "arc-seconds", "secondes d'arc"})
             row(second, 1.0 / 3600, true);
-        for (const char *minute : {"arc min", "arc minutes", "minutes d'arc"})
+        row("\"\"", 1.0 / 3600, true); // as a quoted cell has it
+        for (const char *minute : {"arc min", "arc minutes", "minutes d'arc", "'", "’", "′"})
             row(minute, 1.0 / 60, true);
     }
     void takesUnitsItKnows() {

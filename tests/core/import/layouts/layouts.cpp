@@ -56,6 +56,7 @@ private slots:
     void answersAreTaken_data();
     void answersAreTaken();
     void namesAllColumnsLeftOut();
+    void aSignProvenByPositionsIsSaid();
     void anOrderThatIsNotStatedIsInTurn_data();
     void anOrderThatIsNotStatedIsInTurn();
     void directionsOfFarPositionsAreGuessedAsOfNearOnes();
@@ -875,6 +876,20 @@ void LayoutsTest::answersAreTaken() {
     QFETCH(QString, word);
     QFETCH(QString, expected);
     QCOMPARE(outcome(text, {{key.toStdString(), word.toStdString()}}), expected);
+}
+
+/// Readings of the other sign than their heading has are not taken without a word.
+void LayoutsTest::aSignProvenByPositionsIsSaid() {
+    for (const bool isOpposite : {false, true}) {
+        const QByteArray sign = isOpposite ? "-" : "";
+        const Imported imported =
+            importMeasurement("Soll (mm);Ist (mm);Abweichung (µm)\n0;0.0015;" + sign + "1.5\n100;100.0025;" +
+                                  sign + "2.5\n200;200.0035;" + sign + "3.5\n",
+                              "x.csv", {});
+        const auto &measurement = std::get<PositioningMeasurement>(imported.test->measurement);
+        QVERIFY(std::abs(*measurement.runs.at(0).deviations.at(2) - 0.0035) < 1e-12);
+        QCOMPARE(testdata::remarks(imported).contains("target − actual"), isOpposite);
+    }
 }
 
 void LayoutsTest::anOrderThatIsNotStatedIsInTurn_data() {
