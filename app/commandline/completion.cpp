@@ -80,8 +80,10 @@ private:
             for (const Option &option : list)
                 add(dashed(option), m_language.text(option.description));
         };
-        if (m_command)
-            addAll(m_command->options);
+        if (m_command) {
+            const QString part = m_arguments.value(0); // or a file
+            addAll(optionsOf(*m_command, partsOf(*m_command).contains(part) ? part : QString()));
+        }
         for (const Option &option : commonOptions()) {
             if (!m_command || !findOption(m_command->options, QString::fromUtf8(option.name)))
                 addAll({&option, 1});

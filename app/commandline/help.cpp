@@ -146,7 +146,7 @@ QString programHelp(const Language &language) {
            inColumns(versionRows(language), textColumns()) + u'\n' + paragraph(filesSentence(language));
 }
 
-QString commandHelp(const Command &command, const Language &language, const QString &part) {
+std::vector<Option> optionsOf(const Command &command, const QString &part) {
     std::vector<Option> own;
     std::ranges::copy_if(command.options, std::back_inserter(own), [&](const Option &option) {
         const QStringList with = QString::fromUtf8(option.goesWith).split(u'|');
@@ -154,7 +154,11 @@ QString commandHelp(const Command &command, const Language &language, const QStr
         return part.isEmpty() ||
                (command.partTakes ? command.partTakes(part, option) : with.contains(part) || !isOfOther);
     });
-    std::vector<HelpRow> options = optionRows(own, language);
+    return own;
+}
+
+QString commandHelp(const Command &command, const Language &language, const QString &part) {
+    std::vector<HelpRow> options = optionRows(optionsOf(command, part), language);
     std::ranges::move(commonRows(command, language), std::back_inserter(options));
     QString examples;
     for (const QString &example : examplesOf(command, part))

@@ -18,6 +18,9 @@ struct HelpRow {
 /// The rows in two columns, at most `width` wide unless a word is wider; long left sides get their own line.
 [[nodiscard]] QString inColumns(const std::vector<HelpRow> &rows, int width);
 
+/// Returns the options of a command that a part of it takes ("trend"); all if `part` is empty.
+[[nodiscard]] std::vector<Option> optionsOf(const Command &command, const QString &part);
+
 /// Rows of the commands, of options, of common options, and of the choices for --set.
 [[nodiscard]] std::vector<HelpRow> commandRows(const Language &language);
 [[nodiscard]] std::vector<HelpRow> optionRows(std::span<const Option> options, const Language &language);

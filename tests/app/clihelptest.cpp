@@ -121,14 +121,20 @@ private slots:
 
     void completesFromTheSameTables() {
         QVERIFY(commands().contains("evaluate"));
+        QList<QStringList> calls;
         for (const QString &command : commands()) {
             if (command == "help")
                 continue;
-            const QString help = out({command, "--help"}, "1000");
-            const QStringList options = following({command, "-"});
+            calls << QStringList{command};
+            for (const QString &part : following({command, ""}))
+                calls << QStringList{command, part};
+        }
+        for (const QStringList &call : calls) {
+            const QString help = out(call + QStringList{"--help"}, "1000");
+            const QStringList options = following(call + QStringList{"-"});
             QVERIFY(options.contains("--help"));
             for (const QString &option : options)
-                QVERIFY2(help.contains("\n  " + option + ' '), qPrintable(command + ' ' + option));
+                QVERIFY2(help.contains("\n  " + option + ' '), qPrintable(call.join(' ') + ' ' + option));
             qsizetype inHelp = 0;
             for (const QString &line : help.split('\n'))
                 inHelp += line.startsWith("  -") && !line.startsWith("  --help KEYS") ? 1 : 0;
