@@ -6,6 +6,7 @@
 #include "commandline/terminal.h"
 #include "document/filename.h"
 #include "languageoflocale.h"
+#include "ownfonts.h"
 
 #include <QGuiApplication>
 #include <QHashFunctions>
@@ -106,6 +107,7 @@ std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char 
         return std::make_unique<QCoreApplication>(count, argv);
     qInstallMessageHandler(keepQuiet);
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    useOwnFontConfiguration();
     return std::make_unique<QGuiApplication>(count, argv);
 }
 

@@ -3,6 +3,7 @@
 #include "windowoptions.h"
 
 #include "document/filename.h"
+#include "ownfonts.h"
 #include "ui/application.h"
 #include "ui/guards.h"
 #include "ui/model/settings.h"
@@ -46,6 +47,7 @@ int main(int argc, char *argv[]) {
         words << palmer::fileNameOf(argv[i]);
     if (const auto code = palmer::answeredWithoutWindow(words))
         return *code;
+    palmer::useOwnFontConfiguration();
     const auto application = makeApplication(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("palmer"));
     QCoreApplication::setOrganizationName(QStringLiteral("palmer"));
