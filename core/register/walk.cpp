@@ -62,8 +62,9 @@ private:
 
     /// The text of a database holds no other names.
     void refuseName(const QString &path) {
-        refuse(shownFileName(path), REPORT_TEXT("report", "a register holds only names in UTF-8, and this one "
-                                                          "is not; rename it"));
+        refuse(shownFileName(path),
+               REPORT_TEXT("report", "a register holds only names in UTF-8, and this one "
+                                     "is not; rename it"));
     }
 
     void addFile(const QFileInfo &info) {

@@ -222,7 +222,8 @@ void RegisterCommandTest::wrongUsage_data() {
     QTest::newRow("one machine to join") << QStringList{"join", "000-001"} << QByteArray("MACHINE MACHINE");
     QTest::newRow("a machine joined to itself")
         << QStringList{"join", "000-001", "1"} << QByteArray("one machine already");
-    QTest::newRow("half a month") << QStringList{"interval", "1", "0.5"} << QByteArray(": MONTHS cannot be 0.5");
+    QTest::newRow("half a month") << QStringList{"interval", "1", "0.5"}
+                                  << QByteArray(": MONTHS cannot be 0.5");
     QTest::newRow("an interval of a century and more")
         << QStringList{"interval", "1", "1201"} << QByteArray("MONTHS cannot be 1201");
     QTest::newRow("a decimal mark without CSV")
