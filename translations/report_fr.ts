@@ -1125,7 +1125,7 @@
     </message>
     <message>
         <source>COMMAND [OPTION]… [FILE]…</source>
-        <translation>COMMANDE [OPTION]… [FICHIER]…</translation>
+        <translation>COMMAND [OPTION]… [FILE]…</translation>
     </message>
     <message>
         <source>evaluate the tests of its kind under another edition (a view: no verdicts)</source>
@@ -6889,7 +6889,7 @@
     </message>
     <message>
         <source>palmer [FILE]…</source>
-        <translation>palmer [FICHIER]…</translation>
+        <translation>palmer [FILE]…</translation>
     </message>
     <message>
         <source>unknown option %1; palmer --help lists them</source>

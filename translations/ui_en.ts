@@ -330,6 +330,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n row(s) pasted, channels: %1, temperatures: %2</source>
+        <translation>
+            <numerusform>%n row pasted, channels: %1, temperatures: %2</numerusform>
+            <numerusform>%n rows pasted, channels: %1, temperatures: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 and %n target(s)</source>
         <comment>readings pasted</comment>
         <translation>

@@ -3432,6 +3432,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n row(s) pasted, channels: %1, temperatures: %2</source>
+        <translation>
+            <numerusform>%n ligne collée, voies&#xa0;: %1, températures&#xa0;: %2</numerusform>
+            <numerusform>%n lignes collées, voies&#xa0;: %1, températures&#xa0;: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%1 and %n target(s)</source>
         <comment>readings pasted</comment>
         <translation>

@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QLayout>
 #include <QScopedValueRollback>
+#include <QShortcut>
 #include <QUndoStack>
 #include <utility>
 
@@ -49,6 +50,8 @@ private:
 } // namespace
 
 void takeTableKeys(QWidget &table, std::function<void()> paste, std::function<void()> remove) {
+    auto *shortcut = new QShortcut(QKeySequence::Paste, table.parentWidget(), paste);
+    shortcut->setContext(Qt::WindowShortcut);
     new TableKeys(table, std::move(paste), std::move(remove));
 }
 

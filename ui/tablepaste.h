@@ -55,7 +55,8 @@ private:
 };
 
 /// Lets the keys of Paste and Delete call these in a table, although the window has them as shortcuts for
-/// other kinds of test.
+/// other kinds of test. Paste is heard from the whole window while the table is in view, but for fields of
+/// text.
 void takeTableKeys(QWidget &table, std::function<void()> paste, std::function<void()> remove);
 
 } // namespace palmer::ui

@@ -239,6 +239,7 @@ std::optional<Variation> driftVariation(const Document &document, const std::str
         for (const DriftChannel &channel : channelsOf(*drift)) {
             const bool named =
                 drift->channels.empty() || channel.name == axes ||
+                (drift->channels.size() == 1 && drift->axis.name.empty()) ||
                 (!axisOf(test) && !channel.name.empty() && axes.find(channel.name) != std::string::npos);
             const auto found = named && channel.quantity == quantity
                                    ? variationOf(drift->times, channel.values, duration)

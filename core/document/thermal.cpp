@@ -21,6 +21,11 @@ std::vector<double> withGaps(const std::vector<std::optional<double>> &values) {
     return result;
 }
 
+void nameOnlyChannel(DriftMeasurement &drift) {
+    if (drift.channels.size() == 1 && !drift.axis.name.empty())
+        drift.channels.front().name = drift.axis.name;
+}
+
 DriftChannel mainChannel(const DriftMeasurement &drift) {
     std::vector<DriftChannel> channels = channelsOf(drift);
     const auto named = std::ranges::find(channels, drift.axis.name, &DriftChannel::name);

@@ -17,6 +17,9 @@ namespace palmer {
 /// The channel named as the axis of a drift test, otherwise its first; empty without readings.
 [[nodiscard]] DriftChannel mainChannel(const DriftMeasurement &drift);
 
+/// Gives the only channel the name of the axis, if there is one: it is that of the axis.
+void nameOnlyChannel(DriftMeasurement &drift);
+
 /// See variation(); the times may be unsorted.
 [[nodiscard]] std::optional<Variation> variationOf(const std::vector<double> &times,
                                                    const std::vector<std::optional<double>> &values,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/driftreadings.h"
 
+#include "document/thermal.h"
 #include "editing/pastedtable.h"
-#include "kernel/measurement/testfacts.h"
 #include "tables/contenterror.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void setDriftReadings(Test &test, std::size_t row, const std::vector<DriftReadin
 
 void removeDriftReadings(Test &test, std::size_t row, std::size_t count) {
     auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
-    if (!drift || !drift->channels.empty() || row >= drift->times.size())
+    if (!drift || row >= drift->times.size())
         return;
     count = std::min(count, drift->times.size() - row);
     const auto cut = [&](auto &values) {
@@ -37,9 +37,29 @@ void removeDriftReadings(Test &test, std::size_t row, std::size_t count) {
         values.erase(first, first + static_cast<std::ptrdiff_t>(count));
     };
     cut(drift->times);
-    cut(drift->deviations);
+    if (drift->channels.empty())
+        cut(drift->deviations);
+    for (DriftChannel &channel : drift->channels)
+        cut(channel.values);
     for (DriftTemperature &temperature : drift->temperatures)
         cut(temperature.values);
+}
+
+void putDriftReadings(Test &test, std::size_t row, const DriftMeasurement &pasted) {
+    auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
+    if (!drift)
+        return;
+    if (drift->channels.empty() && pasted.channels.empty()) {
+        std::vector<DriftReading> readings;
+        for (std::size_t i = 0; i < pasted.times.size(); ++i)
+            readings.push_back({pasted.times[i], pasted.deviations[i]});
+        return setDriftReadings(test, row, readings);
+    }
+    DriftMeasurement replaced = pasted;
+    replaced.axis = drift->axis;
+    replaced.settled = drift->settled;
+    nameOnlyChannel(replaced);
+    *drift = std::move(replaced);
 }
 
 PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion, const DisplayUnits &units,
@@ -57,12 +77,8 @@ PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion, const Di
     const auto &drift = std::get<DriftMeasurement>(imported.test->measurement);
     if (drift.axis.motion != motion)
         refuseContent(REPORT_TEXT("report", "the unit of the readings is not one of this axis"));
-    const std::vector<DriftChannel> channels = channelsOf(drift); // of several the first one
-    for (std::size_t i = 0; i < drift.times.size() && !channels.empty(); ++i) {
-        if (const auto &value = channels.front().values[i])
-            result.readings.push_back({drift.times[i], *value});
-    }
-    result.taken = result.readings.size();
+    result.drift = drift;
+    result.taken = drift.times.size();
     return result;
 }
 

@@ -22,15 +22,20 @@ struct DriftReading {
 
 // Edits of the readings of a drift test. Rows count from 0; other kinds of test are unchanged.
 
-/// Replaces readings from `row` on; those beyond the end are appended.
+/// Replaces typed readings from `row` on; those beyond the end are appended. Channels are unchanged.
 void setDriftReadings(Test &test, std::size_t row, const std::vector<DriftReading> &readings);
 
 /// Removes readings; rows beyond the end are ignored.
 void removeDriftReadings(Test &test, std::size_t row, std::size_t count);
 
+/// Readings of one channel, or of several and temperatures.
 struct PastedDrift : Pasted {
-    std::vector<DriftReading> readings;
+    DriftMeasurement drift; ///< gaps left out where there is one channel alone
 };
+
+/// Puts a pasted table: one channel into typed readings from `row` on; several channels or temperatures, and
+/// whatever meets such a table, in place of all readings. The axis and `settled` stay.
+void putDriftReadings(Test &test, std::size_t row, const DriftMeasurement &pasted);
 
 /// Reads a table of times and deviations as a file is read; without units, times are in s and deviations in
 /// the displayed unit. `answers`: to its questions, and other units. Throws Error if it is not such a table.

@@ -14,6 +14,7 @@
 #include "editing/arctable.h"
 #include "editing/driftreadings.h"
 #include "editing/limitblock.h"
+#include "editing/newtest.h"
 #include "editing/readingblock.h"
 #include "editing/sheetblock.h"
 #include "editing/typedreading.h"
@@ -335,11 +336,23 @@ void followDrift(Follower &follower, std::mt19937 &random) {
     const auto number = [&](double value, int decimals) {
         return QString::number(value, 'f', decimals).replace('.', QLatin1Char(mark));
     };
-    std::vector<QStringList> rows{
-        {QString("Time (%1)").arg(units.time), QString("Deviation (%1)").arg(units.deviation)}};
+    const auto channels = static_cast<int>(1 + random() % 3);
+    const auto temperatures = static_cast<int>(random() % 3);
+    QStringList head{QString("Time (%1)").arg(units.time)};
+    for (int c = 0; c < channels; ++c)
+        head << QString("Deviation%1 (%2)")
+                    .arg(channels == 1 ? QString() : u' ' + QChar('X' + c), units.deviation);
+    for (int c = 0; c < temperatures; ++c)
+        head << QString("Temperature %1 (°C)").arg(c + 1);
+    std::vector<QStringList> rows{head};
     const auto points = static_cast<int>(2 + random() % 20);
-    for (int i = 0; i < points; ++i)
-        rows.push_back({number(i * 1.5, 1), number(static_cast<double>(random() % 900) / 10, 1)});
+    for (int i = 0; i < points; ++i) {
+        rows.push_back({number(i * 1.5, 1)});
+        for (int c = 0; c < channels; ++c)
+            rows.back() << number(static_cast<double>(random() % 900) / 10, 1);
+        for (int c = 0; c < temperatures; ++c)
+            rows.back() << number(20 + static_cast<double>(random() % 90) / 100, 2);
+    }
     QStringList lines;
     for (const QStringList &row : rows)
         lines << row.join(';');
@@ -347,16 +360,15 @@ void followDrift(Follower &follower, std::mt19937 &random) {
     const Outcome file = ofFile(text.toUtf8(), "x.csv");
     follower.begin(text, file);
     follower.compareForms(rows, mark);
+    const Axis axis =
+        file.isRefused
+            ? Axis()
+            : std::get<DriftMeasurement>(importMeasurement(text.toUtf8(), "x.csv").test->measurement).axis;
     follower.compare("drift", outcomeOf([&]() -> Outcome {
                          const PastedDrift pasted = driftReadingsFrom(text.toStdString(), Motion::linear);
-                         DriftMeasurement drift;
-                         for (const DriftReading &reading : pasted.readings) {
-                             drift.times.push_back(reading.time);
-                             drift.deviations.push_back(reading.deviation);
-                         }
                          Imported shown;
-                         shown.test.emplace();
-                         shown.test->measurement = std::move(drift);
+                         shown.test = newDriftTest(axis);
+                         putDriftReadings(*shown.test, 0, pasted.drift);
                          return {numbersOf(shown), owed(pasted.questions), false};
                      }));
 }

@@ -77,9 +77,8 @@ void DriftPage::makeTable() {
 }
 
 void DriftPage::connectParts() {
-    m_readings.setWriter([this](std::size_t row, const std::vector<DriftReading> &readings) {
-        write(row, readings, QT_TRANSLATE_NOOP("edits", "change a reading"));
-    });
+    m_readings.setWriter(
+        [this](std::size_t row, const std::vector<DriftReading> &readings) { write(row, readings); });
     connect(&m_readings, &DriftModel::refusedText, this, &DriftPage::showReason);
     connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_readings.keepRefused(); });
     connect(m_pasted, &TablePaste::refused, this,
@@ -192,9 +191,9 @@ void DriftPage::refresh() {
                          : tr("Taken by: %1").arg(taken).toHtmlEscaped());
 }
 
-void DriftPage::write(std::size_t row, const std::vector<DriftReading> &readings, const char *name) {
+void DriftPage::write(std::size_t row, const std::vector<DriftReading> &readings) {
     m_reason->hide();
-    m_model.edit(name, [&](Document &document) {
+    m_model.edit(QT_TRANSLATE_NOOP("edits", "change a reading"), [&](Document &document) {
         editTest(document, m_test, [&](Test &changed) { setDriftReadings(changed, row, readings); });
     });
 }
@@ -210,10 +209,20 @@ void DriftPage::paste() {
             if (!shown)
                 return {};
             PastedDrift pasted = driftReadingsFrom(text, motionOf(*shown), m_language.units(), answers);
-            if (pasted.questions.empty())
-                write(row, pasted.readings, QT_TRANSLATE_NOOP("edits", "paste readings"));
+            const DriftMeasurement &drift = pasted.drift;
+            if (pasted.questions.empty()) {
+                m_model.edit(QT_TRANSLATE_NOOP("edits", "paste readings"), [&](Document &document) {
+                    editTest(document, m_test, [&](Test &changed) { putDriftReadings(changed, row, drift); });
+                });
+            }
             const int taken = static_cast<int>(pasted.taken);
-            return {std::move(pasted), PasteBar::tr("%n reading(s) pasted", nullptr, taken), {}};
+            const QString summary =
+                drift.channels.empty()
+                    ? PasteBar::tr("%n reading(s) pasted", nullptr, taken)
+                    : PasteBar::tr("%n row(s) pasted, channels: %1, temperatures: %2", nullptr, taken)
+                          .arg(drift.channels.size())
+                          .arg(drift.temperatures.size());
+            return {std::move(pasted), summary, {}};
         });
 }
 

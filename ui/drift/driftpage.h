@@ -45,7 +45,7 @@ private:
     void removeRows();
     void goOn();
     void showReason(const QString &reason);
-    void write(std::size_t row, const std::vector<DriftReading> &readings, const char *name);
+    void write(std::size_t row, const std::vector<DriftReading> &readings);
     [[nodiscard]] QString takenBy() const;
     [[nodiscard]] const Test *test() const;
 

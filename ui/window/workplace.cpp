@@ -660,6 +660,10 @@ void Workplace::presentStatus() {
     const std::size_t index = m_selection.test();
     if (index >= m_evaluated.tests.size())
         return;
+    if (m_selection.page() == Page::sheet) { // no test's
+        emit contentChanged({});
+        return emit hintChanged({});
+    }
     std::visit([this](const auto &measurement) { presentStatusOf(measurement); },
                m_evaluated.document->tests[index]->measurement);
 }

@@ -3,6 +3,7 @@
 #include "import/layouts/tablereading.h"
 
 #include "document/place.h"
+#include "document/thermal.h"
 #include "import/layouts/passes.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
@@ -320,6 +321,12 @@ private:
         return name;
     }
 
+    /// "X", "Z2": a heading that is one names the axis; others are names of sensors.
+    static bool isAxisName(const std::string &name) {
+        return !name.empty() && std::string_view("XYZUVWABC").find(name[0]) != std::string_view::npos &&
+               name.find_first_not_of("0123456789", 1) == std::string::npos;
+    }
+
     /// Several channels, or temperatures beside one: all columns on the same times, gaps stay.
     void readChannels() {
         DriftMeasurement drift;
@@ -353,13 +360,14 @@ private:
         drift.axis.motion = drift.channels.front().quantity == ChannelQuantity::angularDeviation
                                 ? Motion::rotary
                                 : Motion::linear;
+        const auto ofAxis = std::ranges::find_if(drift.channels, isAxisName, &DriftChannel::name);
         drift.axis.name =
             m.choices
-                .resolve("axis", m.notes.axis.empty() ? drift.channels.front().name : m.notes.axis,
+                .resolve("axis",
+                         m.notes.axis.empty() && ofAxis != drift.channels.end() ? ofAxis->name : m.notes.axis,
                          Origin::recognised)
                 .value;
-        if (drift.channels.size() == 1) // the only one is that of the axis
-            drift.channels.front().name = drift.axis.name;
+        nameOnlyChannel(drift);
         m.remarks.note(
             {},
             REPORT_TEXT("report", "Understood: a drift test; channels: %1; temperatures: %2; points: %3; "

@@ -21,8 +21,16 @@ const DriftMeasurement &drift(const Test &test) {
 std::optional<std::vector<DriftReading>> takenFrom(const QString &text, Motion motion = Motion::linear) {
     try {
         const PastedDrift pasted = driftReadingsFrom(text.toStdString(), motion);
-        if (std::ranges::all_of(pasted.questions, &Question::canBeAssumed))
-            return pasted.readings;
+        if (std::ranges::all_of(pasted.questions, &Question::canBeAssumed)) {
+            Axis axis;
+            axis.motion = motion;
+            Test test = newDriftTest(axis);
+            putDriftReadings(test, 0, pasted.drift);
+            std::vector<DriftReading> readings;
+            for (std::size_t i = 0; i < drift(test).times.size(); ++i)
+                readings.push_back({drift(test).times[i], drift(test).deviations.at(i)});
+            return readings;
+        }
     } catch (const Error &) {
     }
     return std::nullopt;
@@ -50,6 +58,34 @@ private slots:
         removeDriftReadings(test, 5, 1);
         QCOMPARE(drift(test).times, std::vector<double>{0});
         QCOMPARE(drift(test).deviations, std::vector<double>{0.001});
+    }
+
+    /// Nothing of a table with channels and temperatures is lost; the axis stays that of the test.
+    void channelsAndTemperaturesAreTakenWhole() {
+        Axis axis;
+        axis.name = "Z";
+        Test test = newDriftTest(axis);
+        setDriftReadings(test, 0, {{0, 0.001}, {10, 0.002}});
+        const auto put = [&test](const char *table) {
+            putDriftReadings(test, 1, driftReadingsFrom(table, Motion::linear).drift);
+        };
+        put("Time (min)\tX (µm)\tY (µm)\tAir (°C)\n0\t0\t1\t20\n1\t2\t\t20.5");
+        QVERIFY(drift(test).deviations.empty());
+        QCOMPARE(drift(test).times, (std::vector<double>{0, 60}));
+        QCOMPARE(drift(test).axis.name, std::string("Z"));
+        QCOMPARE(drift(test).channels.size(), std::size_t{2});
+        QCOMPARE(drift(test).channels[1].name, std::string("Y"));
+        QCOMPARE(drift(test).channels[1].values, (std::vector<std::optional<double>>{0.001, std::nullopt}));
+        QCOMPARE(drift(test).temperatures[0].values, (std::vector<std::optional<double>>{20.0, 20.5}));
+        removeDriftReadings(test, 0, 1);
+        QCOMPARE(drift(test).times, std::vector<double>{60});
+        QCOMPARE(drift(test).channels[0].values, std::vector<std::optional<double>>{0.002});
+        QCOMPARE(drift(test).temperatures[0].values, std::vector<std::optional<double>>{20.5});
+        put("Time (s)\tDeviation (µm)\tAir (°C)\n0\t0\t20\n5\t2\t20.5");
+        QCOMPARE(drift(test).channels.at(0).name, std::string("Z"));
+        put("0\t1\n5\t2");
+        QVERIFY(drift(test).channels.empty() && drift(test).temperatures.empty());
+        QCOMPARE(drift(test).deviations, (std::vector<double>{0.001, 0.002}));
     }
 
     void otherTestsStayAsTheyAre() {

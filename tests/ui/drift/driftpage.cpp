@@ -205,6 +205,20 @@ private slots:
         QVERIFY(edited.page.findChild<QLabel *>("driftReason")->isVisible());
     }
 
+    /// Paste is heard wherever the page has the focus, and takes channels and temperatures.
+    void theWholePageHearsPaste() {
+        Edited edited;
+        QVERIFY(QTest::qWaitForWindowActive(&edited.page, patience));
+        QGuiApplication::clipboard()->setText(
+            "Time (s)\tX (µm)\tY (µm)\tAir (°C)\n0\t1\t2\t20\n60\t3\t4\t21");
+        auto *button = edited.page.findChild<QWidget *>("pasteDrift");
+        button->setFocus();
+        QTest::keyClick(button, Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(edited.drift().channels.size(), std::size_t{2});
+        QCOMPARE(edited.drift().temperatures.size(), std::size_t{1});
+        QCOMPARE(edited.table->model()->columnCount(), 4);
+    }
+
     /// The bar says in which units a paste was read; another one pastes anew, and Undo takes back that alone.
     void theBarChangesAPasteAndTakesItBack() {
         Edited edited;
