@@ -17,7 +17,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int heightOfRow = 22;
+constexpr int lowRowHeight = 22;
 constexpr double barHeight = 9;
 constexpr int markSize = 16;
 constexpr double widestHistogram = 180;
@@ -92,7 +92,7 @@ private:
 RowTable::RowTable(const char *name, int columns, QWidget *parent)
     : QTableWidget(0, columns, parent) {
     setObjectName(QString::fromLatin1(name));
-    makeQuiet(*this, heightOfRow, tableRowHeight);
+    makeQuiet(*this, lowRowHeight, tableRowHeight);
     setItemDelegate(new PictureDelegate(this));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -100,7 +100,7 @@ RowTable::RowTable(const char *name, int columns, QWidget *parent)
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    verticalHeader()->setMinimumSectionSize(heightOfRow);
+    verticalHeader()->setMinimumSectionSize(lowRowHeight);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(20);
 }
@@ -171,7 +171,7 @@ void RowTable::fitColumns() {
 }
 
 void RowTable::fit(int flexible, int least, std::initializer_list<int> elided) {
-    setFixedHeight(tableRowHeight + rowCount() * heightOfRow);
+    setFixedHeight(tableRowHeight + rowCount() * lowRowHeight);
     m_flexible = flexible;
     m_least = least;
     m_elided = elided;

@@ -96,12 +96,12 @@ int runCompare(const Invocation &invocation) {
     if (invocation.arguments.isEmpty() || invocation.arguments.size() > 2)
         throw UsageError(
             {REPORT_TEXT("report", "the command %1 takes one or two files"), {std::string("compare")}});
-    const QString &fileA = invocation.arguments.front();
-    const QString &fileB = invocation.arguments.back();
+    const QString &earlier = invocation.arguments.front();
+    const QString &later = invocation.arguments.back();
     const bool alone = invocation.arguments.size() == 1;
     std::optional<EvaluatedDocument> a;
     std::optional<EvaluatedDocument> b;
-    for (const auto &[file, place] : {std::pair{&fileA, &a}, std::pair{&fileB, &b}}) {
+    for (const auto &[file, place] : {std::pair{&earlier, &a}, std::pair{&later, &b}}) {
         if (alone && place == &b) {
             b = a;
             break;
@@ -126,7 +126,7 @@ int runCompare(const Invocation &invocation) {
                             unitScale(deviationQuantity(after.test()), DisplayUnits());
     const TestComparison comparison = compare(before, after, options);
     if (invocation.has("json"))
-        printOut(comparisonJson(comparison, before, fileA, after, fileB, options, namesLanguage(invocation),
+        printOut(comparisonJson(comparison, before, earlier, after, later, options, namesLanguage(invocation),
                                 JsonForm::pretty));
     else
         printOut(

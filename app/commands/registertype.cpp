@@ -95,6 +95,34 @@ QString typeAsked(const Invocation &invocation, const std::vector<ListedMachine>
     return all.front().manufacturer + u' ' + all.front().model;
 }
 
+using AxisParameter = std::pair<std::string, std::string>; ///< axis or plane, parameter
+
+/// `asked`: a parameter, or the quantity of several.
+std::set<AxisParameter> pairsIn(const std::vector<ListedTest> &list, const std::string &asked) {
+    std::set<AxisParameter> pairs;
+    for (const ListedTest &one : list) {
+        for (const RegisteredResult &result : one.test.results) {
+            if (result.value && (result.id == asked || quantityOf(result.id) == asked))
+                pairs.emplace(one.test.axis, result.id);
+        }
+    }
+    return pairs;
+}
+
+/// `ending`: pdf, svg or png.
+QByteArray drawnAs(const QString &ending, const TypeTest &test, const Language &language) {
+    const Report report = composeTypeTest(test, language, ending == QLatin1StringView("pdf"));
+    if (ending == QLatin1StringView("svg"))
+        return figureAsSvg(typeFigure(test, language), report.title, language);
+    if (ending == QLatin1StringView("png"))
+        return figureAsPng(typeFigure(test, language));
+    QByteArray bytes;
+    QBuffer pdf(&bytes);
+    pdf.open(QIODevice::WriteOnly);
+    writePdf(report, pdf);
+    return bytes;
+}
+
 } // namespace
 
 int runRegisterType(const Invocation &invocation) {
@@ -123,20 +151,14 @@ int runRegisterType(const Invocation &invocation) {
             code = cannotRead;
         }
     }
-    std::set<std::pair<std::string, std::string>> pairs; // axis or plane, parameter
-    for (const ListedTest &one : list) {
-        for (const RegisteredResult &result : one.test.results) {
-            if (result.value && (result.id == asked || quantityOf(result.id) == asked))
-                pairs.emplace(one.test.axis, result.id);
-        }
-    }
+    const std::set<AxisParameter> pairs = pairsIn(list, asked);
     if (pairs.empty())
         throw UsageError({REPORT_TEXT("report", "the machines of the type “%1” have no test with %2"),
                           {words.toStdString(), asked}});
     const QString output = invocation.value("o").value_or(QString());
     const QString ending = QFileInfo(output).suffix().toLower();
-    const bool onPaper = ending == QLatin1StringView("pdf");
-    const bool drawn = onPaper || ending == QLatin1StringView("svg") || ending == QLatin1StringView("png");
+    const bool drawn =
+        QStringList{QStringLiteral("pdf"), QStringLiteral("svg"), QStringLiteral("png")}.contains(ending);
     if (!output.isEmpty())
         requireOutput(invocation, output, {"json", "svg", "png", "pdf"});
     if (drawn && pairs.size() != 1)
@@ -150,16 +172,9 @@ int runRegisterType(const Invocation &invocation) {
                 {REPORT_TEXT("report", "%1 has a sign: a type test takes parameters without one"),
                  {parameter}});
         const TypeTest test = typeTest(chosen, list, axis, parameter, tolerance, distribution);
-        if (onPaper) {
-            QBuffer pdf(&bytes);
-            pdf.open(QIODevice::WriteOnly);
-            writePdf(composeTypeTest(test, invocation.language, true), pdf);
-        } else if (drawn) {
-            const Figure figure = typeFigure(test, invocation.language);
-            const QString title = composeTypeTest(test, invocation.language).title;
-            bytes = ending == QLatin1StringView("svg") ? figureAsSvg(figure, title, invocation.language)
-                                                       : figureAsPng(figure);
-        } else if (invocation.has("json") || ending == QLatin1StringView("json"))
+        if (drawn)
+            bytes = drawnAs(ending, test, invocation.language);
+        else if (invocation.has("json") || ending == QLatin1StringView("json"))
             bytes += typeTestJson(test);
         else
             bytes += (bytes.isEmpty() ? "" : "\n") +

@@ -8,6 +8,55 @@
 
 namespace palmer {
 
+namespace {
+
+/// `scale`: displayed unit per unit of the curve.
+void addCurve(CurveFigure &figure, Bounds &values, const ComparedCurve &curve,
+              const std::vector<double> &targets, double scale, const Language &language) {
+    const CurveRole role = !curve.direction                          ? CurveRole::mean
+                           : *curve.direction == Direction::positive ? CurveRole::up
+                                                                     : CurveRole::down;
+    std::vector<Curve> parts(1, {role, {}});
+    std::vector<Band> bands(1, {role, {}});
+    bool any = false;
+    for (std::size_t i = 0; i < curve.values.size(); ++i) {
+        const double x = targets[i];
+        if (!curve.values[i]) { // a gap begins another curve
+            parts.push_back({role, {}});
+            bands.push_back({role, {}});
+            continue;
+        }
+        any = true;
+        const double y = *curve.values[i] * scale;
+        parts.back().points.push_back({x, y, static_cast<int>(i) + 1});
+        values.include(y);
+        if (!curve.band[i] || role != CurveRole::mean)
+            continue;
+        const double half = *curve.band[i] * scale;
+        bands.back().points.push_back({x, y - half, y + half});
+        values.include(y - half);
+        values.include(y + half);
+    }
+    if (!any)
+        return;
+    std::erase_if(parts, [](const Curve &part) { return part.points.empty(); });
+    std::erase_if(bands, [](const Band &part) { return part.points.empty(); });
+    const bool hasBand = !bands.empty();
+    figure.curves.insert(figure.curves.end(), parts.begin(), parts.end());
+    figure.bands.insert(figure.bands.end(), bands.begin(), bands.end());
+    const QString mean = hasBand ? language.text(REPORT_TEXT("report", "x̄ bi-directional ± U for all points"))
+                                 : language.text(REPORT_TEXT("report", "x̄ bi-directional"));
+    figure.legend.push_back({role == CurveRole::up     ? LegendSample::up
+                             : role == CurveRole::down ? LegendSample::down
+                                                       : LegendSample::mean,
+                             role == CurveRole::up     ? QStringLiteral("x̄↑")
+                             : role == CurveRole::down ? QStringLiteral("x̄↓")
+                                                       : mean,
+                             hasBand});
+}
+
+} // namespace
+
 CurveFigure differenceFigure(const TestComparison &comparison, const Language &language) {
     const double scale = unitScale(comparison.quantity, language.units());
     const bool rotary = comparison.quantity == Quantity::angularDeviation;
@@ -22,49 +71,8 @@ CurveFigure differenceFigure(const TestComparison &comparison, const Language &l
     figure.y.quantity = language.text(REPORT_TEXT("report", "after − before"));
     figure.y.unit = language.unit(comparison.quantity);
     Bounds values;
-    for (const ComparedCurve &curve : comparison.curves) {
-        const CurveRole role = !curve.direction                          ? CurveRole::mean
-                               : *curve.direction == Direction::positive ? CurveRole::up
-                                                                         : CurveRole::down;
-        std::vector<Curve> parts(1, {role, {}});
-        std::vector<Band> bands(1, {role, {}});
-        bool any = false;
-        for (std::size_t i = 0; i < curve.values.size(); ++i) {
-            const double x = comparison.targets[i];
-            if (!curve.values[i]) { // a gap begins another curve
-                parts.push_back({role, {}});
-                bands.push_back({role, {}});
-                continue;
-            }
-            any = true;
-            const double y = *curve.values[i] * scale;
-            parts.back().points.push_back({x, y, static_cast<int>(i) + 1});
-            values.include(y);
-            if (!curve.band[i] || role != CurveRole::mean)
-                continue;
-            const double half = *curve.band[i] * scale;
-            bands.back().points.push_back({x, y - half, y + half});
-            values.include(y - half);
-            values.include(y + half);
-        }
-        if (!any)
-            continue;
-        const bool hasBand = !bands.front().points.empty();
-        std::erase_if(parts, [](const Curve &part) { return part.points.empty(); });
-        std::erase_if(bands, [](const Band &part) { return part.points.empty(); });
-        figure.curves.insert(figure.curves.end(), parts.begin(), parts.end());
-        figure.bands.insert(figure.bands.end(), bands.begin(), bands.end());
-        const QString mean = hasBand
-                                 ? language.text(REPORT_TEXT("report", "x̄ bi-directional ± U for all points"))
-                                 : language.text(REPORT_TEXT("report", "x̄ bi-directional"));
-        figure.legend.push_back({role == CurveRole::up     ? LegendSample::up
-                                 : role == CurveRole::down ? LegendSample::down
-                                                           : LegendSample::mean,
-                                 role == CurveRole::up     ? QStringLiteral("x̄↑")
-                                 : role == CurveRole::down ? QStringLiteral("x̄↓")
-                                                           : mean,
-                                 hasBand});
-    }
+    for (const ComparedCurve &curve : comparison.curves)
+        addCurve(figure, values, curve, comparison.targets, scale, language);
     constexpr double smallest = 0.2; // µm or arc seconds
     const Bounds y = values.widened(valueMargin, smallest);
     const double first = comparison.targets.empty() ? 0 : comparison.targets.front();

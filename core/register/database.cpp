@@ -34,7 +34,7 @@ constexpr int waitForServer = 10;  ///< s
 
 /// The meaning of SQLite's primary error codes.
 struct SqliteTrouble {
-    std::array<int, 2> codes;
+    std::array<int, 2> codes{};
     Text text;
     Error::Kind kind = Error::Kind::unreadable;
 };

@@ -174,7 +174,7 @@ QByteArray listedTestCsv(const ListedTest &listed, char decimalMark) {
     };
     const auto changes = [&](const std::string &result) -> QStringList {
         if (!listed.sinceLast)
-            return QStringList(4, QString());
+            return {{}, {}, {}, {}};
         const ComparedParameter *change = changeOf(*listed.sinceLast, result);
         return {QString::fromStdString(listed.sinceLast->date.value_or("")),
                 change && change->word ? QString::fromLatin1(fileWord(*change->word)) : QString(),

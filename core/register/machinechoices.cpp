@@ -63,7 +63,7 @@ QString machineFileIn(const QString &folder) {
 /// Empty without a file. Throws Error, also where MachineChoices does.
 QByteArray machineFile(const QString &folder) {
     const QString file = machineFileIn(folder);
-    const QByteArray bytes = QFileInfo::exists(file) ? readBytes(file) : QByteArray();
+    QByteArray bytes = QFileInfo::exists(file) ? readBytes(file) : QByteArray();
     MachineChoices().add(bytes);
     return bytes;
 }

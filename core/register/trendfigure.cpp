@@ -258,9 +258,9 @@ std::vector<TrendLegendEntry> trendLegend(const Language &language, const std::v
         return hasEntry([role](const TrendEntry &entry) { return entry.role == role; });
     };
     struct Possible {
-        TrendSign sign;
+        TrendSign sign{};
         Text text;
-        bool occurs;
+        bool occurs = false;
     };
     const std::array rows{
         Possible{TrendSign::asFound, REPORT_TEXT("report", "as found; bar: ± U"), hasRole(TestRole::asFound)},

@@ -326,6 +326,28 @@ QByteArray trendJson(const ListedMachine &machine, const std::string &axis, cons
                               {"line", trend.line ? lineJson(trend) : Json()}});
 }
 
+namespace {
+
+/// `series`: the index; the first one carries the line.
+void addRow(CsvWriter &csv, const ListedMachine &machine, const std::string &axis, const MachineTrend &trend,
+            std::size_t series, const TrendEntry &entry) {
+    const bool onLine = series == 0 && trend.line && entry.stretch == trend.interventions.size();
+    const ComparedParameter *change = entry.sinceLast ? changeOf(*entry.sinceLast, trend.parameter) : nullptr;
+    csv.row(machine.name.toStdString(), machine.manufacturer.toStdString(), machine.model.toStdString(),
+            machine.serialNumber.toStdString(), axis, trend.parameter, static_cast<double>(series + 1),
+            trend.series[series].edition, entry.date, entry.result.value, entry.result.expandedUncertainty,
+            entry.result.limit, trend.angular ? "deg" : "mm", fileWord(entry.role), fileWord(entry.purpose),
+            onLine ? std::optional(trend.line->at(entry.time)) : std::nullopt,
+            onLine ? std::optional(trend.line->uncertaintyAt(entry.time)) : std::nullopt,
+            entry.file.toStdString(), entry.test,
+            entry.sinceLast ? entry.sinceLast->date.value_or("") : std::string(),
+            change && change->word ? fileWord(*change->word) : "",
+            change ? std::optional(change->difference) : std::nullopt,
+            change ? change->uncertainty : std::nullopt);
+}
+
+} // namespace
+
 QByteArray trendCsv(const ListedMachine &machine, const std::string &axis,
                     const std::vector<MachineTrend> &trends) {
     CsvWriter csv('.');
@@ -334,23 +356,8 @@ QByteArray trendCsv(const ListedMachine &machine, const std::string &axis,
             "lastDate", "sinceLast", "difference", "differenceU");
     for (const MachineTrend &trend : trends) {
         for (std::size_t i = 0; i < trend.series.size(); ++i) {
-            for (const TrendEntry &entry : trend.series[i].entries) {
-                const bool onLine = i == 0 && trend.line && entry.stretch == trend.interventions.size();
-                const ComparedParameter *change =
-                    entry.sinceLast ? changeOf(*entry.sinceLast, trend.parameter) : nullptr;
-                csv.row(machine.name.toStdString(), machine.manufacturer.toStdString(),
-                        machine.model.toStdString(), machine.serialNumber.toStdString(), axis,
-                        trend.parameter, static_cast<double>(i + 1), trend.series[i].edition, entry.date,
-                        entry.result.value, entry.result.expandedUncertainty, entry.result.limit,
-                        trend.angular ? "deg" : "mm", fileWord(entry.role), fileWord(entry.purpose),
-                        onLine ? std::optional(trend.line->at(entry.time)) : std::nullopt,
-                        onLine ? std::optional(trend.line->uncertaintyAt(entry.time)) : std::nullopt,
-                        entry.file.toStdString(), entry.test,
-                        entry.sinceLast ? entry.sinceLast->date.value_or("") : std::string(),
-                        change && change->word ? fileWord(*change->word) : "",
-                        change ? std::optional(change->difference) : std::nullopt,
-                        change ? change->uncertainty : std::nullopt);
-            }
+            for (const TrendEntry &entry : trend.series[i].entries)
+                addRow(csv, machine, axis, trend, i, entry);
         }
     }
     return csv.bytes();

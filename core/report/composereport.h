@@ -30,7 +30,7 @@ struct ReportOptions {
 /// the program. Pure: the same document always gives the same
 /// report, under any locale. Drift tests are listed but have no page. Throws Error like writeDocument(),
 /// since the report contains the fingerprint of its test file.
-[[nodiscard]] Report composeReport(const EvaluatedDocument &evaluated, const Language &language,
+[[nodiscard]] Report composeReport(const EvaluatedDocument &given, const Language &language,
                                    const ReportOptions &options = {});
 
 /// Short results of all tests for a terminal: for each test head, results with their limits, statistics per

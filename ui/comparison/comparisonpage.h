@@ -59,8 +59,8 @@ private:
     void state();
     void want();
     void present();
-    void fillConditions(const PlacedTest &before, const PlacedTest &after);
-    void fillParameters(const PlacedTest &before, const PlacedTest &after);
+    void fillConditions(const PlacedTest &was, const PlacedTest &is);
+    void fillParameters(const PlacedTest &was, const PlacedTest &is);
     void copy();
     void retranslate() final;
     [[nodiscard]] std::optional<Offer> chosen() const;
@@ -76,14 +76,14 @@ private:
     ComparisonSide *m_side = nullptr;
 
     QWidget *m_bar;
-    QLabel *m_label;
-    ElidedBox *m_other;
-    QToolButton *m_forwards;
-    QToolButton *m_backwards;
-    QLabel *m_toleranceLabel;
-    QLineEdit *m_tolerance;
-    QCheckBox *m_untouched;
-    QToolButton *m_copy;
+    QLabel *m_label = nullptr;
+    ElidedBox *m_other = nullptr;
+    QToolButton *m_forwards = nullptr;
+    QToolButton *m_backwards = nullptr;
+    QLabel *m_toleranceLabel = nullptr;
+    QLineEdit *m_tolerance = nullptr;
+    QCheckBox *m_untouched = nullptr;
+    QToolButton *m_copy = nullptr;
     QFrame *m_decision;
     QLabel *m_word;
     QLabel *m_counts;

@@ -46,7 +46,7 @@ private:
     void want();
     void fillBoxes();
     void present();
-    void fill(RowTable &table, const Table &content);
+    static void fill(RowTable &table, const Table &content);
     void take();
     void retranslate() final;
     [[nodiscard]] const DriftMeasurement *drift() const;

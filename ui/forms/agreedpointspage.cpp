@@ -313,11 +313,9 @@ void AgreedPointsPage::setLanguage(const Language &language) {
     refresh();
 }
 
-/// `agreed`: the declaration of the point; null if there is none.
-void AgreedPointsPage::refreshRow(const Row &row, const Test &test, const AgreedPoint *agreed, bool settled) {
+/// `isCounted`: one that is not listed is asked for, and counted, with the conditions.
+void AgreedPointsPage::refreshLetter(const Row &row, bool isCounted, bool settled, bool declared) {
     const QString letter = QString::fromUtf8(row.point->letter);
-    // One that is not listed is asked for, and counted, with the conditions.
-    const bool isCounted = roleOf(*row.point, test) == PointRole::listed;
     row.letter->setContent(letter,
                            letter.isEmpty() ? QString::fromLatin1(settled ? "check" : "miss") : QString(),
                            settled     ? Token::ok
@@ -326,8 +324,13 @@ void AgreedPointsPage::refreshRow(const Row &row, const Test &test, const Agreed
                            settled     ? Token::okGround
                            : isCounted ? Token::unsureGround
                                        : Token::hover);
-    row.letter->setAccessibleName(settled ? tr("settled") : agreed ? tr("not agreed") : tr("not declared"));
+    row.letter->setAccessibleName(settled ? tr("settled") : declared ? tr("not agreed") : tr("not declared"));
     row.letter->setFixedWidth(letterWidth);
+}
+
+/// `agreed`: the declaration of the point; null if there is none.
+void AgreedPointsPage::refreshRow(const Row &row, const Test &test, const AgreedPoint *agreed, bool settled) {
+    refreshLetter(row, roleOf(*row.point, test) == PointRole::listed, settled, agreed != nullptr);
     const QString name = capitalised(m_language.text(row.point->name));
     row.name->setText(name);
     row.name->setFont(themeFont(TextSize::small));

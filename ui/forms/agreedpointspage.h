@@ -65,6 +65,7 @@ private:
     void copyFromConditions(const AgreementPoint &point);
     void refresh();
     void retranslate() final { refresh(); }
+    static void refreshLetter(const Row &row, bool isCounted, bool settled, bool declared);
     void refreshRow(const Row &row, const Test &test, const AgreedPoint *agreed, bool settled);
 
     DocumentModel &m_model;

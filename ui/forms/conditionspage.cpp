@@ -176,8 +176,8 @@ void ConditionsPage::order(std::vector<FormGroup> &groups) {
                 m_first.insert(group.name.source);
         }
     }
-    std::ranges::stable_partition(
-        groups, [this](const FormGroup &group) { return m_first.contains(group.name.source); });
+    std::stable_partition(groups.begin(), groups.end(),
+                          [this](const FormGroup &group) { return m_first.contains(group.name.source); });
 }
 
 void ConditionsPage::showEvent(QShowEvent *event) {
@@ -308,7 +308,7 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal, bool fi
     const QString argument = ordinal > 0 ? QString::number(ordinal + 1) : QString();
     auto *name = made<QLabel>(TextSize::small, body());
     name->setContentsMargins(0, first ? Field::headHeight - 4 : 0, 0, 0); // level with the fields
-    m_sensorNames.emplace_back(name, what, argument);
+    m_sensorNames.push_back({name, what, argument});
     addWidget(name, 2);
     const auto head = [first, &argument](Field *field) {
         field->setLabelArgument(argument);
@@ -431,6 +431,14 @@ QString ConditionsPage::missingText(int count) const {
     return tr("%n missing", nullptr, count);
 }
 
+QString ConditionsPage::nameOf(const SensorName &sensor) {
+    const QString name = sensor.what == SensorMeasures::air          ? tr("Air")
+                         : sensor.what == SensorMeasures::machine    ? tr("Machine")
+                         : sensor.what == SensorMeasures::instrument ? tr("Instrument")
+                                                                     : tr("Unassigned");
+    return sensor.argument.isEmpty() ? name : name + QChar(u'\u00A0') + sensor.argument;
+}
+
 void ConditionsPage::refreshOthers() {
     m_like->setText(tr("Like the last test"));
     m_like->setToolTip(
@@ -447,12 +455,8 @@ void ConditionsPage::refreshOthers() {
         m_expansion->setText(word("Expansion α"));
         m_expansion->setFont(themeFont(TextSize::small));
         m_expansion->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-        for (const auto &[name, what, argument] : m_sensorNames)
-            name->setText((what == SensorMeasures::air          ? tr("Air")
-                           : what == SensorMeasures::machine    ? tr("Machine")
-                           : what == SensorMeasures::instrument ? tr("Instrument")
-                                                                : tr("Unassigned")) +
-                          (argument.isEmpty() ? argument : QChar(u'\u00A0') + argument));
+        for (const SensorName &sensor : m_sensorNames)
+            sensor.name->setText(nameOf(sensor));
     }
     const Edition *edition = shown ? evaluated().tests[test()]->edition : nullptr;
     for (const auto &[key, field] : m_clauses)

@@ -50,6 +50,7 @@ private:
         SensorMeasures what = SensorMeasures::notStated;
         QString argument; ///< number of a further sensor
     };
+    [[nodiscard]] static QString nameOf(const SensorName &sensor);
 
     QString m_built;               ///< what the fields were built for
     std::set<std::string> m_first; ///< groups that come first, by name

@@ -12,6 +12,8 @@ namespace palmer::ui {
 
 /// A group of a form: its name on the left of its rows, or above them where the rows would get too narrow.
 class GroupLayout : public QLayout {
+    Q_DISABLE_COPY(GroupLayout)
+
 public:
     /// `gap`: height between two rows, pixels.
     GroupLayout(QLabel *name, int gap);

@@ -50,10 +50,11 @@ void SheetModel::show(const EvaluatedDocument &evaluated, const Language &langua
     else if (wanted > before)
         beginInsertRows({}, before, wanted - 1);
     take();
-    if (wanted < before)
+    if (wanted < before) {
         endRemoveRows();
-    else if (wanted > before)
+    } else if (wanted > before) {
         endInsertRows();
+    }
     emit dataChanged(index(0, 0), index(wanted - 1, columns - 1));
     emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
 }

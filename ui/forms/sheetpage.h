@@ -26,7 +26,7 @@ protected:
 
 private:
     void makeTable();
-    void write(const char *name, const std::vector<SheetRow> &rows);
+    void write(const char *name, const std::vector<SheetRow> &changed);
     void paste();
     void addRow();
     void removeRows();

@@ -175,7 +175,7 @@ private:
     void showReport(const QString &anchor = {});
     void fillLikeLast();
     [[nodiscard]] std::vector<SearchEntry> searchEntries();
-    void changeTextSize(int steps);
+    static void changeTextSize(int steps);
     void showPlan();
     void showComparison();
     void showCompensation();

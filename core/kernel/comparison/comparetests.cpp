@@ -269,7 +269,7 @@ private:
         return std::move(m_result);
     }
 
-    TestEvaluation evaluation(const Test &test, const Surroundings &surroundings) const {
+    [[nodiscard]] TestEvaluation evaluation(const Test &test, const Surroundings &surroundings) const {
         return evaluateTest(test, surroundings, m_result.edition);
     }
 
@@ -385,8 +385,8 @@ private:
         const std::size_t count = formulas.size();
         const ComparisonTrials trials(a, b, *m_result.edition, resultsAfter.standardDeviation,
                                       std::move(formulas), m_result.shared, m_result.cycles, m_result.pooled);
-        const double drawn = static_cast<double>(a.readings.positive.size() + a.readings.negative.size() +
-                                                 b.readings.positive.size() + b.readings.negative.size());
+        const auto drawn = static_cast<double>(a.readings.positive.size() + a.readings.negative.size() +
+                                               b.readings.positive.size() + b.readings.negative.size());
         const auto wanted = static_cast<long long>(mostDraws / std::max(drawn, 1.0));
         m_result.trials = std::clamp(wanted, fewestTrials, std::max(fewestTrials, m_options.trials)) /
                           Lanes::count * Lanes::count;

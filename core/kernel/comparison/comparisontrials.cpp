@@ -46,30 +46,8 @@ ComparisonTrials::ComparisonTrials(const TrialsOfTest &before, const TrialsOfTes
 ComparisonTrials::Side ComparisonTrials::sideOf(const TrialsOfTest &test) const {
     Side side;
     side.of = &test;
-    const auto n = static_cast<std::size_t>(m_cycles);
-    const double scale =
-        m_cycles > 1 ? smallSampleFactor(m_cycles) * std::sqrt(m_cycles / (m_cycles - 1.0)) : 0;
-    for (const std::vector<double> *table : {&test.readings.positive, &test.readings.negative}) {
-        const std::size_t begin = side.means.size();
-        side.means.resize(begin + table->size(), nothing);
-        side.residuals.resize(begin + table->size(), nothing);
-        for (std::size_t target = 0; target < m_targets && !table->empty(); ++target) {
-            double sum = 0;
-            int count = 0;
-            for (std::size_t j = 0; j < n; ++j) {
-                const double value = (*table)[j * m_targets + target];
-                sum += std::isnan(value) ? 0 : value;
-                count += std::isnan(value) ? 0 : 1;
-            }
-            for (std::size_t j = 0; j < n; ++j) {
-                const double value = (*table)[j * m_targets + target];
-                if (std::isnan(value))
-                    continue; // stays a gap
-                side.means[begin + j * m_targets + target] = sum / count;
-                side.residuals[begin + j * m_targets + target] = scale * (value - sum / count);
-            }
-        }
-    }
+    addTable(side, test.readings.positive);
+    addTable(side, test.readings.negative);
     const PositioningMeasurement &measurement = *test.measurement;
     const PositioningBudget &budget = test.budget;
     side.length = budget.length.value_or(0);
@@ -87,19 +65,52 @@ ComparisonTrials::Side ComparisonTrials::sideOf(const TrialsOfTest &test) const 
         side.drift = widthOf(budget, environmentalVariationId);
     for (const double target : measurement.targets)
         side.distance.push_back(target - measurement.targets.front());
-    const std::size_t passes = n * (m_directions[0] && m_directions[1] ? 2 : 1);
-    const double last = static_cast<double>(std::max<std::size_t>(passes * m_targets, 2) - 1);
-    side.time.resize(side.means.size());
-    for (std::size_t place = 0; place < side.time.size(); ++place) {
-        const bool down = place >= test.readings.positive.size();
-        const std::size_t inTable = down ? place - test.readings.positive.size() : place;
-        const std::size_t cycle = inTable / m_targets;
-        const std::size_t target = inTable % m_targets;
-        const std::size_t pass = m_directions[0] && m_directions[1] ? 2 * cycle + (down ? 1 : 0) : cycle;
-        const std::size_t step = down ? m_targets - 1 - target : target;
-        side.time[place] = static_cast<double>(pass * m_targets + step) / last - 0.5;
-    }
+    side.time = timesOf(test.readings.positive.size(), side.means.size());
     return side;
+}
+
+/// Appends the means and residuals of one direction.
+void ComparisonTrials::addTable(Side &side, const std::vector<double> &table) const {
+    const auto n = static_cast<std::size_t>(m_cycles);
+    const double scale =
+        m_cycles > 1 ? smallSampleFactor(m_cycles) * std::sqrt(m_cycles / (m_cycles - 1.0)) : 0;
+    const std::size_t begin = side.means.size();
+    side.means.resize(begin + table.size(), nothing);
+    side.residuals.resize(begin + table.size(), nothing);
+    for (std::size_t target = 0; target < m_targets && !table.empty(); ++target) {
+        double sum = 0;
+        int count = 0;
+        for (std::size_t j = 0; j < n; ++j) {
+            const double value = table[j * m_targets + target];
+            sum += std::isnan(value) ? 0 : value;
+            count += std::isnan(value) ? 0 : 1;
+        }
+        for (std::size_t j = 0; j < n; ++j) {
+            const double value = table[j * m_targets + target];
+            if (std::isnan(value))
+                continue; // stays a gap
+            side.means[begin + j * m_targets + target] = sum / count;
+            side.residuals[begin + j * m_targets + target] = scale * (value - sum / count);
+        }
+    }
+}
+
+/// Returns when each of `count` readings was taken, −0.5 … 0.5 from the first to the last; those from
+/// `positive` on are of the negative direction.
+std::vector<double> ComparisonTrials::timesOf(std::size_t positive, std::size_t count) const {
+    const std::size_t perCycle = m_directions[0] && m_directions[1] ? 2 : 1;
+    const std::size_t passes = static_cast<std::size_t>(m_cycles) * perCycle;
+    const auto last = static_cast<double>(std::max<std::size_t>(passes * m_targets, 2) - 1);
+    std::vector<double> times(count);
+    for (std::size_t place = 0; place < count; ++place) {
+        const bool down = place >= positive;
+        const std::size_t inTable = down ? place - positive : place;
+        const std::size_t target = inTable % m_targets;
+        const std::size_t pass = perCycle * (inTable / m_targets) + (perCycle == 2 && down ? 1 : 0);
+        const std::size_t step = down ? m_targets - 1 - target : target;
+        times[place] = static_cast<double>(pass * m_targets + step) / last - 0.5;
+    }
+    return times;
 }
 
 bool ComparisonTrials::isShared(SharedError error) const {
@@ -128,6 +139,24 @@ std::array<Lanes, 2> ComparisonTrials::errorsOf(long long first, int which) cons
             test.drift * RandomDraws::symmetric(ownOther[1])};
 }
 
+/// `place`: of the target in the first cycle; `drawn`: the cycle of each lane, from m_cycles on of the other
+/// test. A gap takes the next cycle.
+Lanes ComparisonTrials::residuals(std::size_t side, std::size_t place, const Drawn &drawn) const {
+    const auto n = static_cast<std::size_t>(m_cycles);
+    const std::size_t pool = m_pooled ? 2 * n : n;
+    std::array<double, Lanes::count> values{};
+    for (std::size_t lane = 0; lane < values.size(); ++lane) {
+        double value = nothing;
+        for (std::size_t k = 0; k < pool && std::isnan(value); ++k) {
+            const std::size_t cycle = (drawn[lane] + k) % pool;
+            const Side &from = cycle < n ? m_sides[side] : m_sides[1 - side];
+            value = from.residuals[place + (cycle % n) * m_targets];
+        }
+        values[lane] = std::isnan(value) ? 0 : value;
+    }
+    return Lanes::from(values);
+}
+
 void ComparisonTrials::perturb(long long first, int which, DrawnParts parts,
                                std::vector<Lanes> &readings) const {
     const auto side = static_cast<std::size_t>(which);
@@ -148,7 +177,7 @@ void ComparisonTrials::perturb(long long first, int which, DrawnParts parts,
         if (j % 4 == 0)
             four = m_draws.lanes(first, cyclePlace.at(side) + static_cast<std::uint32_t>(j / 4));
         words = four[j % 4];
-        std::array<std::size_t, Lanes::count> drawn{};
+        Drawn drawn{};
         for (int lane = 0; lane < Lanes::count; ++lane)
             drawn[static_cast<std::size_t>(lane)] =
                 static_cast<std::size_t>((static_cast<std::uint64_t>(words[lane]) * pool) >> 32U);
@@ -156,19 +185,8 @@ void ComparisonTrials::perturb(long long first, int which, DrawnParts parts,
             if (!m_directions[direction])
                 continue;
             const std::size_t begin = direction == 1 && m_directions[0] ? n * m_targets : 0;
-            for (std::size_t target = 0; target < m_targets; ++target) {
-                std::array<double, Lanes::count> values{};
-                for (std::size_t lane = 0; lane < values.size(); ++lane) {
-                    double value = nothing;
-                    for (std::size_t k = 0; k < pool && std::isnan(value); ++k) { // a gap takes the next one
-                        const std::size_t cycle = (drawn[lane] + k) % pool;
-                        const Side &from = cycle < n ? test : m_sides[1 - side];
-                        value = from.residuals[begin + (cycle % n) * m_targets + target];
-                    }
-                    values[lane] = std::isnan(value) ? 0 : value;
-                }
-                readings[begin + j * m_targets + target] += Lanes::from(values);
-            }
+            for (std::size_t target = 0; target < m_targets; ++target)
+                readings[begin + j * m_targets + target] += residuals(side, begin + target, drawn);
         }
     }
 }
@@ -225,9 +243,9 @@ std::vector<double> ComparisonTrials::run(long long trials, DrawnParts parts, st
         Buffers buffers;
         std::vector<double> differences(this->values() * Lanes::count);
         for (std::size_t four = worker * fours / workers; four < (worker + 1) * fours / workers; ++four) {
-            runFour(static_cast<long long>(four * Lanes::count), parts, buffers, differences);
+            runFour(static_cast<long long>(four) * Lanes::count, parts, buffers, differences);
             for (std::size_t v = 0; v < values; ++v)
-                std::copy_n(differences.begin() + static_cast<std::ptrdiff_t>(v * Lanes::count), Lanes::count,
+                std::copy_n(differences.begin() + static_cast<std::ptrdiff_t>(v) * Lanes::count, Lanes::count,
                             all.begin() + static_cast<std::ptrdiff_t>(v * n + four * Lanes::count));
         }
     };

@@ -62,7 +62,12 @@ private:
         std::array<std::vector<TargetStatisticsOf<Lanes>>, 2> targets;
     };
 
+    using Drawn = std::array<std::size_t, Lanes::count>;
+
     [[nodiscard]] Side sideOf(const TrialsOfTest &test) const;
+    void addTable(Side &side, const std::vector<double> &table) const;
+    [[nodiscard]] std::vector<double> timesOf(std::size_t positive, std::size_t count) const;
+    [[nodiscard]] Lanes residuals(std::size_t side, std::size_t place, const Drawn &drawn) const;
     [[nodiscard]] std::array<Lanes, 2> errorsOf(long long first, int which) const;
     void perturb(long long first, int which, DrawnParts parts, std::vector<Lanes> &readings) const;
     void runFour(long long first, DrawnParts parts, Buffers &buffers, std::span<double> differences) const;

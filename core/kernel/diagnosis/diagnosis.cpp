@@ -153,14 +153,19 @@ private:
         return term + 1 < m_fit.terms.size() && m_fit.terms[term + 1].second;
     }
 
+    [[nodiscard]] std::string nameOf(PlaneAxis axis) const {
+        const DiagnosedCircle &circle = m_circles.front();
+        return axis == PlaneAxis::none    ? planeName(circle)
+               : axis == PlaneAxis::first ? circle.first
+                                          : circle.second;
+    }
+
     void addSource(std::size_t j, const std::vector<FoundInfluence> &found) {
         const FitTerm &term = m_fit.terms[j];
         SourceEstimate source;
         source.id = term.id;
         source.axis = term.axis;
-        source.axisName = term.axis == PlaneAxis::none    ? planeName(m_circles.front())
-                          : term.axis == PlaneAxis::first ? m_circles.front().first
-                                                          : m_circles.front().second;
+        source.axisName = nameOf(term.axis);
         source.shape = term.shape;
         source.fitted[0] = m_fit.factor(j);
         source.separable = m_fit.isSeparable(j);
@@ -499,6 +504,31 @@ constexpr double usualStart = 0.5;        ///< the same where the start was ente
 constexpr double leastLeftOut = 0.1;      ///< degrees from a reversal
 constexpr double mostLeftOut = 1;
 
+/// What is common to the arcs of circles.
+struct Ground {
+    std::vector<Point> centres; ///< mm, one a circle
+    bool commanded = false;     ///< angles of at least one arc
+    bool bothSenses = false;
+};
+
+/// Null if a circle has no centre.
+std::optional<Ground> groundOf(std::span<const DiagnosedCircle> circles) {
+    Ground ground;
+    std::array<bool, 2> senses{};
+    for (const DiagnosedCircle &circle : circles) {
+        const auto centre = centreOf(circle);
+        if (!centre || !std::isfinite(centre->x) || !std::isfinite(centre->y))
+            return std::nullopt;
+        ground.centres.push_back(*centre);
+        for (const DiagnosedArc &arc : circle.arcs) {
+            ground.commanded |= arc.commanded;
+            senses[arc.sense == Sense::clockwise] |= arc.points.size() > 0;
+        }
+    }
+    ground.bothSenses = senses[0] && senses[1];
+    return ground;
+}
+
 } // namespace
 
 Diagnosis diagnose(const DiagnosedCircle &circle, const DiagnosisOptions &options) {
@@ -509,20 +539,10 @@ Diagnosis diagnose(std::span<const DiagnosedCircle> circles, const DiagnosisOpti
     const bool severalFeeds = areSeveralFeeds(circles);
     if (circles.empty() || (circles.size() > 1 && !severalFeeds) || !std::ranges::all_of(circles, isUsable))
         return {};
-    std::vector<Point> centres;
-    bool commanded = false;
-    std::array<bool, 2> senses{};
-    for (const DiagnosedCircle &circle : circles) {
-        const auto centre = centreOf(circle);
-        if (!centre || !std::isfinite(centre->x) || !std::isfinite(centre->y))
-            return {};
-        centres.push_back(*centre);
-        for (const DiagnosedArc &arc : circle.arcs) {
-            commanded |= arc.commanded;
-            senses[arc.sense == Sense::clockwise] |= arc.points.size() > 0;
-        }
-    }
-    const bool bothSenses = senses[0] && senses[1];
+    const std::optional<Ground> ground = groundOf(circles);
+    if (!ground)
+        return {};
+    const auto &[centres, commanded, bothSenses] = *ground;
     const double pause = options.pause.value_or(0);
     PathRows rows(circles, centres, 0, pause);
     const std::vector<FitTerm> terms = basicTerms(circles.size(), severalFeeds, options, bothSenses);

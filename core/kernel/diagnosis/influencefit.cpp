@@ -168,7 +168,7 @@ private:
         Peak best;
         const std::vector<double> scores = scan.explained();
         for (std::size_t k = 1; k + 1 < scores.size(); ++k) {
-            const double pitch = m_radius / scan.periods(k);
+            const double pitch = m_radius / PitchScan::periods(k);
             const double noise = noiseOf(fit, pitch / m_radius);
             if (scores[k] / noise > best.explained / best.noise)
                 best = {axis, pitch, scores[k], noise};

@@ -106,8 +106,9 @@ double PitchScan::refined(double pitch, std::span<const double> usual, double bo
     constexpr double few = 5; // long pitches resemble what is fitted: their scan is no good
     for (double periods = 1; periods < few && m_radius / pitch < few; periods += 2 * spacing)
         look(periods);
-    constexpr double finest = spacing / 64;
-    for (double step = spacing; step > finest; step /= 2) {
+    constexpr int halvings = 6;
+    for (int halved = 0; halved < halvings; ++halved) {
+        const double step = std::ldexp(spacing, -halved);
         const double periods = m_radius / best;
         look(periods - step);
         look(periods + step);

@@ -16,7 +16,7 @@ public:
     PitchScan(const PathRows &rows, const InfluenceFit &fit, PlaneAxis axis);
 
     /// Returns R/p of a pitch of the scan.
-    [[nodiscard]] double periods(std::size_t place) const { return (double(place) + 4) * spacing; }
+    [[nodiscard]] static double periods(std::size_t place) { return (double(place) + 4) * spacing; }
     /// Returns the part explained by each pitch, by Fourier transforms of the readings over the position,
     /// good for choosing one. What the fit explains already is not regarded, which matters for the longest
     /// pitches.

@@ -116,16 +116,18 @@ struct Offset {
 std::optional<Offset> offsetOf(const PathRows &rows, const InfluenceFit &fit, double sense) {
     constexpr double finest = 0.02;
     constexpr double widest = 4;
+    constexpr auto places = static_cast<std::size_t>(2 * widest / finest) + 1;
+    const auto offsetAt = [](std::size_t place) { return double(place) * finest - widest; };
     const std::vector<NearReversal> near = nearReversals(rows, fit, sense);
     if (near.empty())
         return std::nullopt;
     std::vector<double> sums;
-    for (double offset = -widest; offset <= widest; offset += finest)
-        sums.push_back(sumOfSquares(near, offset));
+    for (std::size_t place = 0; place < places; ++place)
+        sums.push_back(sumOfSquares(near, offsetAt(place)));
     const double best = *std::ranges::min_element(sums);
     // Noise as far from the reversals, or as near them, whichever is more; each of four is one reading at
     // least.
-    const double count = double(near.size());
+    const auto count = double(near.size());
     const double variance = std::max(fit.noise.variance(0.1),
                                      best / count * std::min(fit.noise.readingsPerIndependent(), count / 4));
     double all = 0;
@@ -134,7 +136,7 @@ std::optional<Offset> offsetOf(const PathRows &rows, const InfluenceFit &fit, do
     double high = -widest;
     double squares = 0;
     for (std::size_t k = 0; k < sums.size(); ++k) {
-        const double at = double(k) * finest - widest;
+        const double at = offsetAt(k);
         const double weight = variance > 0 ? std::exp((best - sums[k]) / (2 * variance)) : sums[k] == best;
         all += weight;
         offset.mean += weight * at;

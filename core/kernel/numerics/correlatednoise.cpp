@@ -279,11 +279,10 @@ Vector CorrelatedNoise::whitened(const Vector &residual, std::span<const Record>
     Eigen::FFT<double> fft;
     for (const Record &record : records) {
         const Eigen::Index length = smoothLength(record.size);
-        const auto place = [&](auto &vector) -> decltype(auto) {
-            return vector.segment(Eigen::Index(record.begin), Eigen::Index(record.size));
-        };
+        const auto begin = Eigen::Index(record.begin);
+        const auto size = Eigen::Index(record.size);
         Eigen::VectorXcd values = Eigen::VectorXcd::Zero(length);
-        values.head(Eigen::Index(record.size)) = place(residual).template cast<std::complex<double>>();
+        values.head(size) = residual.segment(begin, size).cast<std::complex<double>>();
         Eigen::VectorXcd waves;
         fft.fwd(waves, values);
         for (Eigen::Index f = 0; f < length; ++f) {
@@ -292,7 +291,7 @@ Vector CorrelatedNoise::whitened(const Vector &residual, std::span<const Record>
             waves[f] = s > 0 ? waves[f] / std::sqrt(s) : 0;
         }
         fft.inv(values, waves);
-        place(result) = values.head(Eigen::Index(record.size)).real();
+        result.segment(begin, size) = values.head(size).real();
     }
     return result;
 }

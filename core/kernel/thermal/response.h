@@ -70,6 +70,6 @@ struct ThermalResponse {
 
 /// Fits one channel to one temperature, the best of `ofTemperatures` tried. Values are only valid in the
 /// state `found`.
-[[nodiscard]] ThermalResponse thermalResponse(const ThermalRecord &record, int ofTemperatures = 1);
+[[nodiscard]] ThermalResponse thermalResponse(const ThermalRecord &given, int ofTemperatures = 1);
 
 } // namespace palmer

@@ -198,9 +198,9 @@ Cell cellOnPaper(const ResultColumn &column, const TestPart &part, const ResultF
 
 /// Those with a limit first.
 Table resultTable(const TestPart &part, const ResultForm &form, std::vector<PrintedResult> results) {
-    const auto withoutLimit = std::ranges::stable_partition(
-        results, [](const PrintedResult &result) { return !result.limit.isEmpty(); });
-    const auto limited = static_cast<std::size_t>(withoutLimit.begin() - results.begin());
+    const auto withoutLimit = std::stable_partition(
+        results.begin(), results.end(), [](const PrintedResult &result) { return !result.limit.isEmpty(); });
+    const auto limited = static_cast<std::size_t>(withoutLimit - results.begin());
     Table table;
     table.unbroken = true;
     auto columns = resultColumns(onPaper);
@@ -453,6 +453,34 @@ QString deciding(const TestPart &part, const std::vector<const PrintedResult *> 
                           {shownLimit(part, result), values.toStdString()});
 }
 
+/// What decides a verdict, then what meets its limits; `inShort`: exceeded limits without their numbers.
+QString judged(const TestPart &part, const std::vector<PrintedResult> &results, bool inShort) {
+    const auto failing = resultsWith(results, Verdict::doesNotConform);
+    const auto open = resultsWith(results, Verdict::notProven);
+    const auto good = resultsWith(results, Verdict::conforms);
+    QStringList all;
+    if (!failing.empty())
+        all << exceeded(part, failing, inShort);
+    if (!open.empty())
+        all << notProven(part, open);
+    const auto &decisive = !failing.empty() ? failing : !open.empty() ? open : good;
+    // A single exceeded limit is said with its numbers.
+    const bool said = failing.size() == 1 && !inShort;
+    const QString numbers = said || decisive.empty() ? QString() : deciding(part, decisive);
+    const QString met = joinedSymbols(parametersOf(good));
+    const QString unknown = notEvaluableSentence(part.evaluation, part.write.language());
+    if (!unknown.isEmpty())
+        all << unknown;
+    const bool allMet = !good.empty() && failing.empty() && open.empty() && unknown.isEmpty();
+    if (allMet) // the state says so
+        all << enumerated(part.write, met.split(QStringLiteral(", "))) + u'.';
+    if (!numbers.isEmpty())
+        all << numbers;
+    if (!allMet && !good.empty())
+        all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."), met);
+    return all.join(u' ');
+}
+
 QString reason(const TestPart &part, const std::vector<PrintedResult> &results) {
     if (part.evaluation.view)
         return part.write.say(
@@ -464,34 +492,8 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
                 ? REPORT_TEXT("report", "The limits agreed do not hold for this test: no verdict.")
                 : REPORT_TEXT("report", "The results have no verdict."));
     }
-    const auto failing = resultsWith(results, Verdict::doesNotConform);
-    const auto open = resultsWith(results, Verdict::notProven);
-    const auto good = resultsWith(results, Verdict::conforms);
-    const auto sentences = [&](bool inShort) {
-        QStringList all;
-        if (!failing.empty())
-            all << exceeded(part, failing, inShort);
-        if (!open.empty())
-            all << notProven(part, open);
-        const auto &decisive = !failing.empty() ? failing : !open.empty() ? open : good;
-        // A single exceeded limit is said with its numbers.
-        const bool said = failing.size() == 1 && !inShort;
-        const QString numbers = said || decisive.empty() ? QString() : deciding(part, decisive);
-        const QString met = joinedSymbols(parametersOf(good));
-        const QString unknown = notEvaluableSentence(part.evaluation, part.write.language());
-        if (!unknown.isEmpty())
-            all << unknown;
-        const bool allMet = !good.empty() && failing.empty() && open.empty() && unknown.isEmpty();
-        if (allMet) // the state says so
-            all << enumerated(part.write, met.split(QStringLiteral(", "))) + u'.';
-        if (!numbers.isEmpty())
-            all << numbers;
-        if (!allMet && !good.empty())
-            all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."), met);
-        return all.join(u' ');
-    };
-    const QString whole = sentences(false);
-    return whole.size() <= mostOfReason ? whole : sentences(true);
+    const QString whole = judged(part, results, false);
+    return whole.size() <= mostOfReason ? whole : judged(part, results, true);
 }
 
 VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &results) {

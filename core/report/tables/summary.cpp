@@ -227,6 +227,31 @@ void narrow(std::vector<int> &widths, const std::vector<int> &least, int width) 
     }
 }
 
+/// The lines that one row takes.
+QString printed(const QStringList &row, const std::vector<SummaryColumn> &columns,
+                const std::vector<int> &widths) {
+    std::vector<QStringList> cells;
+    qsizetype height = 1;
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+        cells.push_back(broken(row[static_cast<qsizetype>(c)], widths[c]));
+        height = std::max(height, cells.back().size());
+    }
+    QString text;
+    for (qsizetype i = 0; i < height; ++i) {
+        QString line;
+        for (std::size_t c = 0; c < widths.size(); ++c) {
+            const QString cell = cells[c].value(i);
+            const QString blanks(widths[c] - displayWidth(cell), u' ');
+            line += (c == 0 ? QString() : QString(gap, u' ')) +
+                    (columns[c].atRight ? blanks + cell : cell + blanks);
+        }
+        while (line.endsWith(u' '))
+            line.chop(1);
+        text += line + u'\n';
+    }
+    return text;
+}
+
 } // namespace
 
 QString summaryText(const QStringList &head, const std::vector<QStringList> &rows, std::optional<int> width) {
@@ -266,27 +291,8 @@ QString summaryText(const QStringList &head, const std::vector<QStringList> &row
     if (width)
         narrow(widths, widthsOf(false), *width);
     QString text;
-    const auto print = [&](const QStringList &row) {
-        std::vector<QStringList> cells;
-        qsizetype height = 1;
-        for (std::size_t c = 0; c < widths.size(); ++c) {
-            cells.push_back(broken(row[static_cast<qsizetype>(c)], widths[c]));
-            height = std::max(height, cells.back().size());
-        }
-        for (qsizetype i = 0; i < height; ++i) {
-            QString line;
-            for (std::size_t c = 0; c < widths.size(); ++c) {
-                const QString cell = cells[c].value(i);
-                const QString blanks(widths[c] - displayWidth(cell), u' ');
-                line += (c == 0 ? QString() : QString(gap, u' ')) +
-                        (columns.at(c).atRight ? blanks + cell : cell + blanks);
-            }
-            while (line.endsWith(u' '))
-                line.chop(1);
-            text += line + u'\n';
-        }
-    };
-    std::ranges::for_each(lines, print);
+    for (const QStringList &line : lines)
+        text += printed(line, columns, widths);
     return text;
 }
 
