@@ -111,12 +111,10 @@ NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUni
         else if (!c.isSpace())
             return refused(isWithExponent(trimmed) ? powerOfTen : notANumber);
     }
-    if (commas > 0 && points > 0)
-        return refused(REPORT_TEXT("report", "comma and point in one number"));
-    if (commas > 1)
-        return refused(REPORT_TEXT("report", "two commas"));
-    if (points > 1)
-        return refused(REPORT_TEXT("report", "two points"));
+    if (commas + points > 1)
+        return refused(commas > 0 && points > 0 ? REPORT_TEXT("report", "comma and point in one number")
+                       : commas > 1             ? REPORT_TEXT("report", "two commas")
+                                                : REPORT_TEXT("report", "two points"));
     if (std::none_of(plain.begin(), plain.end(), [](char c) { return c >= '0' && c <= '9'; }) ||
         !isGroupedWell(trimmed))
         return refused(notANumber);
