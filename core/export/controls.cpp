@@ -9,7 +9,7 @@ namespace palmer {
 
 ControlFormats formatsOfControl(std::string_view controller) {
     struct Control {
-        const char *word;
+        const char *word = "";
         ControlFormats formats;
     };
     constexpr std::array rows{
