@@ -38,7 +38,7 @@ constexpr std::array headings{
     Heading{SheetColumn::remark, {u"remark", u"remarque", u"remarks", u"remarques", u"note", u"bemerkung"}},
     Heading{SheetColumn::standard, {u"standard", u"norme", u"norm", u"source", u"origine", u"clause"}}};
 
-std::optional<SheetColumn> columnNamed(const QString &cell) {
+std::optional<SheetColumn> columnOfWord(const QString &cell) {
     static const QRegularExpression signs(QStringLiteral("[^\\p{L}\\p{N}]"));
     const QString word = cell.toLower().remove(signs);
     for (const Heading &heading : headings) {
@@ -47,6 +47,19 @@ std::optional<SheetColumn> columnNamed(const QString &cell) {
             return heading.column;
     }
     return std::nullopt;
+}
+
+/// "Tolerance" and "mm" of "Tolerance (mm)", "Tolerance [mm]" or "Tolerance, mm".
+std::pair<QString, QString> nameAndUnit(const QString &cell) {
+    static const QRegularExpression form(QStringLiteral("^([^(\\[,/]*)[(\\[,/]\\s*([^)\\]]*)[)\\]]?\\s*$"));
+    const QRegularExpressionMatch found = form.match(cell);
+    return found.hasMatch() ? std::pair(found.captured(1), found.captured(2).trimmed())
+                            : std::pair(cell, QString());
+}
+
+std::optional<SheetColumn> columnNamed(const QString &cell) {
+    const auto column = columnOfWord(cell);
+    return column ? column : columnOfWord(nameAndUnit(cell).first);
 }
 
 std::optional<Text> putNumber(std::optional<double> &value, const QString &typed) {
@@ -204,6 +217,31 @@ std::size_t placeOf(const QStringList &cells, const Columns &columns, const std:
     return cells[number].isEmpty() ? rows.size() : static_cast<std::size_t>(same - rows.begin());
 }
 
+[[noreturn]] void refuseCell(std::size_t line, const QString &cell) {
+    throw Error(Error::Kind::content,
+                {REPORT_TEXT("report", "line %1 of what was pasted: “%2” cannot stand in this column"),
+                 {wholeNumber(line), cell.left(40).toStdString()},
+                 {}});
+}
+
+/// The unit that the headings of numbers give, where no column does. Throws Error if they give several.
+QString unitOf(const QStringList &cells, const Columns &columns, std::size_t line) {
+    QString unit;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (columns[k] == SheetColumn::unit)
+            return {};
+        const QString &cell = cells[static_cast<qsizetype>(k)];
+        const QString given = nameAndUnit(cell).second;
+        const bool isNumber = columns[k] >= SheetColumn::permitted && columns[k] <= SheetColumn::uncertainty;
+        if (!isNumber || given.isEmpty() || given.contains(u'=')) // "U (k = 2)"
+            continue;
+        if (!unit.isEmpty() && unit != given)
+            refuseCell(line, cell);
+        unit = given;
+    }
+    return unit;
+}
+
 /// Throws Error if the cell cannot stand in its column.
 void putCell(std::vector<SheetRow> &rows, std::size_t place, SheetColumn column, const QString &cell,
              DecimalMark mark, std::size_t line) {
@@ -211,10 +249,7 @@ void putCell(std::vector<SheetRow> &rows, std::size_t place, SheetColumn column,
     const QString text = isNumber ? numberText(cell, mark) : cell;
     const bool isGrouped = isNumber && readCell(text.toStdString(), mark).kind == CellKind::grouped;
     if (isGrouped || typeIntoSheet(rows, place, column, text))
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "line %1 of what was pasted: “%2” cannot stand in this column"),
-                     {wholeNumber(line), cell.left(40).toStdString()},
-                     {}});
+        refuseCell(line, cell);
 }
 
 } // namespace
@@ -224,12 +259,15 @@ PastedSheet pasteSheet(std::vector<SheetRow> rows, std::size_t first, SheetColum
     const CellTable table = tableOf(block, answers);
     PastedSheet result;
     Columns columns;
+    QString unit;
     for (const TableRow &row : table.rows()) {
         const QStringList cells = cellsOf(table, row);
         if (columns.empty()) {
             columns = columnsNamed(cells);
-            if (!columns.empty())
+            if (!columns.empty()) {
+                unit = unitOf(cells, columns, row.line);
                 continue;
+            }
             columns = columnsFrom(column);
         }
         const std::size_t place = placeOf(cells, columns, rows, first + result.taken);
@@ -242,6 +280,8 @@ PastedSheet pasteSheet(std::vector<SheetRow> rows, std::size_t first, SheetColum
             if (result.taken == 0)
                 result.columns.push_back(*columns[k]);
         }
+        if (!unit.isEmpty())
+            putCell(rows, place, SheetColumn::unit, unit, table.decimalMark.value, row.line);
         ++result.taken;
     }
     result.sheet = std::move(rows);

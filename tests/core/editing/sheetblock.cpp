@@ -68,6 +68,12 @@ void SheetBlockTest::blocksAreRead_data() {
     QTest::newRow("a heading says the order")
         << "Unit\tObjet\tU (k = 2)\tMesuré\tN°\nmm\tlevel\t0.004\t0.01\tG1"
         << "G1|level|-|0.01|0.004|mm";
+    QTest::newRow("headings with units")
+        << "N°;Objet;Tolérance (mm);Mesuré [mm];U, mm\nG1;Rectitude de X, plan XY;0,015;0,008;0,002"
+        << "G1|Rectitude de X, plan XY|0.015|0.008|0.002|mm";
+    QTest::newRow("headings with units and a column of units")
+        << "N°\tTolérance (µm)\tMesuré (µm)\tUnité\nG1\t15\t8\tµm"
+        << "G1||15|8|-|µm";
     QTest::newRow("a column without a name is passed over") << "No.\tPage\tObject\nG1\t12\tlevel"
                                                             << "G1|level|-|-|-|";
     QTest::newRow("a range and signs") << "G1\tx\t-0.01 … 0.02\t−0.004\t±0.002\tmm"
@@ -99,6 +105,8 @@ void SheetBlockTest::blocksWithoutNumbersFillTheRowsFromHere() {
 void SheetBlockTest::nothingIsTakenOfAWrongBlock() {
     QCOMPARE(pasted("G1\tx\t0.02\t0.01\nG2\tx\tabc\t0.01"),
              "line 2 of what was pasted: “abc” cannot stand in this column");
+    QCOMPARE(pasted("N°\tTolérance (mm)\tMesuré (µm)\nG1\t0.02\t10"),
+             "line 1 of what was pasted: “Mesuré (µm)” cannot stand in this column");
     QCOMPARE(pasted("G1\tx\t-0.02"), "line 1 of what was pasted: “-0.02” cannot stand in this column");
 }
 
