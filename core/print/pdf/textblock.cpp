@@ -169,17 +169,20 @@ bool isSpace(QChar c) {
     return c == u' ' || c == u'\t';
 }
 
+bool isWhole(QStringView word) {
+    return std::ranges::all_of(word, [](QChar c) { return c.isDigit(); });
+}
+
 /// True if the word begins with a group of three digits: "000", "000,5", "000)".
 bool beginsWithGroup(QStringView word) {
     constexpr qsizetype group = 3;
-    return word.size() >= group &&
-           std::ranges::all_of(word.first(group), [](QChar c) { return c.isDigit(); }) &&
+    return word.size() >= group && isWhole(word.first(group)) &&
            (word.size() == group || !word[group].isLetterOrNumber());
 }
 
 /// True if a line must not end at this space: before and after "=", between the groups of a number, between a
-/// number and its unit, between the name of a standard, "page" and the like and their number or letter
-/// ("l’ISO 230-2", "(clause 3").
+/// number and its unit, between a count and what is counted, between the name of a standard, "page" and the
+/// like and their number or letter ("l’ISO 230-2", "(clause 3").
 bool joinsWords(QStringView text, qsizetype space) {
     const auto isEnd = [&](qsizetype at) {
         return at < 0 || at >= text.size() || isSpace(text[at]) || text[at] == u'\n';
@@ -196,10 +199,10 @@ bool joinsWords(QStringView text, qsizetype space) {
         return false;
     if (before == u"=" || after == u"=")
         return true;
-    static constexpr std::array<QStringView, 18> numbered{
-        u"ISO",   u"VDI/DGQ", u"GB/T",    u"page",    u"pages",      u"n°",
-        u"No.",   u"clause",  u"clauses", u"article", u"articles",   u"annexe",
-        u"Annex", u"test",    u"Test",    u"essai",   u"paragraphe", u"paragraphes"};
+    static constexpr std::array<QStringView, 20> numbered{
+        u"ISO",    u"VDI/DGQ", u"GB/T",       u"page",        u"pages",  u"n°",    u"No.",
+        u"clause", u"clauses", u"article",    u"articles",    u"annexe", u"Annex", u"test",
+        u"Test",   u"essai",   u"paragraphe", u"paragraphes", u"germe",  u"seed"};
     for (qsizetype i = before.size(); i > 0; --i) {
         if (QStringView(u"’'(«“[\u00A0\u202F").contains(before[i - 1])) {
             before = before.mid(i);
@@ -212,7 +215,9 @@ bool joinsWords(QStringView text, qsizetype space) {
         return true;
     if (before.isEmpty() || !before.back().isDigit())
         return false;
-    if (beginsWithGroup(after))
+    constexpr qsizetype longestCount = 3;
+    const bool isCount = before.size() <= longestCount && isWhole(before);
+    if (beginsWithGroup(after) || (isCount && after[0].isLower()))
         return true;
     while (!after.isEmpty() && QStringView(u",;:.)").contains(after.back()))
         after.chop(1);

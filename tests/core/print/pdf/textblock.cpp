@@ -148,6 +148,19 @@ private slots:
         }
     }
 
+    /// No line ends between a count and what is counted, or before the number of a seed.
+    void numbersStayWithTheirWords() {
+        const QString text("En tout (2014) : 1 exigence non satisfaite, 12 recommandations (germe 7)");
+        for (int width = 110; width < 400; ++width) {
+            const TextBlock block(text, style, width);
+            for (std::size_t i = 0; i + 1 < block.lineCount(); ++i) {
+                const QString line = block.line(i).text();
+                for (const char *end : {" 1", " 12", "(germe"})
+                    QVERIFY2(!line.endsWith(end), qPrintable(line));
+            }
+        }
+    }
+
     void anElidedTextIsAsLongAsFits() {
         std::mt19937 random(8);
         for (int round = 0; round < 200; ++round) {
