@@ -641,10 +641,6 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
     return table;
 }
 
-namespace {
-
-/// Why values of a quantity differ between editions: by the factor of s, or, with the same factor, by what
-/// the editions define.
 QString reasonsOfDifferences(const TestPart &part) {
     constexpr double equal = 1e-9; // mm, degrees
     const std::vector<EditionColumn> columns = editionColumns(part);
@@ -679,8 +675,6 @@ QString reasonsOfDifferences(const TestPart &part) {
                             byDefinition)},
                   QStringLiteral(" "));
 }
-
-} // namespace
 
 void addEditions(std::vector<Block> &blocks, const TestPart &part) {
     auto table = editionsTable(part);

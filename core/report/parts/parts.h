@@ -227,6 +227,9 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
 /// Results under the requested editions, side by side, without verdict; null if none is requested. The first
 /// column contains the symbols, with the unit below its title. `narrow`: factors are printed as "c = 2".
 [[nodiscard]] std::optional<Table> editionsTable(const TestPart &part, bool narrow = false);
+/// Why values differ between editions: by the factor of s, or, with the same factor, by what the editions
+/// define; may be empty.
+[[nodiscard]] QString reasonsOfDifferences(const TestPart &part);
 
 /// Adds this table.
 void addEditions(std::vector<Block> &blocks, const TestPart &part);

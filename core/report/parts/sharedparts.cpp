@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 
 namespace palmer {
@@ -246,10 +247,13 @@ class EditionsOfTests {
 public:
     /// Returns false and adds nothing if there is no room left.
     bool add(const TestPart &part, const Table &editions) {
-        constexpr std::size_t mostColumns = 15;
         const std::size_t count = editions.columns.size() - 1;
-        if (!m_table.spanners.empty() && m_table.columns.size() - 1 + count > mostColumns)
+        double needed = m_needed + (m_table.spanners.empty() ? symbolWidth + 1 : gap);
+        for (std::size_t i = 1; i <= count; ++i)
+            needed += neededWidth(editions.columns[i]);
+        if (!m_table.spanners.empty() && needed > textWidth)
             return false;
+        m_needed = needed;
         if (m_table.columns.empty())
             m_table.columns.push_back(columnOf(QString(), symbolWidth));
         const std::size_t first = m_table.columns.size();
@@ -273,12 +277,13 @@ public:
     }
 
     [[nodiscard]] Table take() {
-        constexpr double widest = 20;
-        const auto columns = static_cast<double>(m_table.columns.size() - 1);
-        const auto gaps = gap * static_cast<double>(m_table.spanners.size() - 1);
+        constexpr double widest = 20; ///< that a column becomes where there is room
+        const double spare =
+            (textWidth - std::exchange(m_needed, 0)) / static_cast<double>(m_table.columns.size() - 1);
         for (Column &column : m_table.columns) {
+            const double needed = neededWidth(column);
             if (column.width <= 0)
-                column.width = std::min(widest, (textWidth - symbolWidth - gaps - 1) / columns);
+                column.width = std::max(needed, std::min(widest, needed + spare));
         }
         m_table.columns.push_back(flexibleColumn(QString(), 1)); // takes the remaining width
         for (std::vector<Cell> &row : m_table.rows)
@@ -292,12 +297,20 @@ private:
     static constexpr double symbolWidth = 14; ///< mm
     static constexpr double gap = 2.5;        ///< mm, between tests
 
+    /// For a designation that does not break, mm.
+    static double neededWidth(const Column &column) {
+        constexpr double least = 10;
+        constexpr double letter = 1.85; // of bold text at 8.5 pt
+        return std::max(least, 2 + letter * static_cast<double>(column.title.plain().size()));
+    }
+
     static Phrase title(const TestPart &part, const QString &unit) {
         return Phrase({{part.write.say(REPORT_TEXT("report", "Test %1"), QString::number(part.number))},
                        {QStringLiteral(", ") + unit, false, false, true}});
     }
 
     Table m_table;
+    double m_needed = 0; ///< mm
 };
 
 /// Approximate number of lines of a text in a column, for balancing; width in mm.
@@ -699,6 +712,7 @@ void addBeforeAndAfter(std::vector<Block> &blocks, const std::vector<TestPart> &
 
 void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     std::vector<Block> tables;
+    std::vector<Block> reasons;
     bool factors = false;
     for (const Kind kind : allKinds) {
         EditionsOfTests beside;
@@ -706,6 +720,11 @@ void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPar
             const auto table = part.edition().kind == kind ? editionsTable(part, true) : std::nullopt;
             if (!table)
                 continue;
+            if (const QString why = reasonsOfDifferences(part); !why.isEmpty())
+                reasons.emplace_back(
+                    Paragraph{part.write.say(REPORT_TEXT("report", "Test %1: %2"),
+                                             {std::to_string(part.number), why.toStdString()}),
+                              TextSize::small});
             factors = factors || std::ranges::any_of(std::span(table->columns).subspan(1),
                                                      [](const Column &c) { return !c.unit.isEmpty(); });
             if (!beside.add(part, *table)) {
@@ -721,8 +740,8 @@ void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPar
     const Writer &write = parts.front().write;
     addHeading(blocks, write.text(REPORT_TEXT("report", "Comparison of editions")),
                factors ? write.text(REPORT_TEXT("report", "c: factor of s")) : QString());
-    blocks.insert(blocks.end(), std::make_move_iterator(tables.begin()),
-                  std::make_move_iterator(tables.end()));
+    for (std::vector<Block> *each : {&tables, &reasons})
+        std::ranges::move(*each, std::back_inserter(blocks));
 }
 
 } // namespace palmer
