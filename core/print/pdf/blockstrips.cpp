@@ -416,20 +416,29 @@ struct StatementBlock {
     Mark mark = Mark::none;
     TextBlock state; ///< in a large verdict above the text, otherwise at its beginning
     TextBlock text;
+    double textAt = 0; ///< behind label and mark
 
     [[nodiscard]] double height() const { return std::max(label.height(), state.height() + text.height()); }
 };
 
-constexpr double statementLabel = 13.5 * mm;
 constexpr double statementMark = 4 * mm;
+constexpr TextStyle labelText{8.5, false, black, 1.25};
 
-StatementBlock statementBlock(const VerdictStatement &statement, double width, bool large) {
-    constexpr TextStyle labelText{8.5, false, black, 1.25};
+/// Room for the labels of the statements of a verdict.
+double statementLabel(const VerdictLine &line) {
+    constexpr double least = 13.5 * mm;
+    constexpr double behind = 1.5 * mm;
+    return std::max({least, TextBlock(line.limits.label, labelText).width() + behind,
+                     TextBlock(line.accordance.label, labelText).width() + behind});
+}
+
+StatementBlock statementBlock(const VerdictStatement &statement, double width, double label, bool large) {
     constexpr TextStyle text{8.5, false, black, 1.25};
     constexpr TextStyle largeState{10, true, black, 1.25};
     constexpr TextStyle largeText{8.5, false, noteGrey, 1.25};
-    StatementBlock result{TextBlock(statement.label, labelText), statement.mark, {}, {}};
-    const double room = width - statementLabel - statementMark;
+    StatementBlock result{
+        TextBlock(statement.label, labelText), statement.mark, {}, {}, label + statementMark};
+    const double room = width - result.textAt;
     RichText words = richText(statement.text);
     const bool empty = statement.text.plain().isEmpty();
     if (large) {
@@ -455,8 +464,9 @@ void drawStatement(QPainter &painter, QPointF at, const StatementBlock &statemen
     statement.label.draw(painter, at);
     const TextBlock &first = statement.state.empty() ? statement.text : statement.state;
     const double mark = markBox * mm;
-    drawMark(painter, statement.mark, at + QPointF(statementLabel + mark / 2, first.lineHeight() / 2), mark);
-    const QPointF text = at + QPointF(statementLabel + statementMark, 0);
+    drawMark(painter, statement.mark,
+             at + QPointF(statement.textAt - statementMark + mark / 2, first.lineHeight() / 2), mark);
+    const QPointF text = at + QPointF(statement.textAt, 0);
     if (!statement.state.empty())
         statement.state.draw(painter, text);
     if (!statement.text.empty())
@@ -464,17 +474,35 @@ void drawStatement(QPainter &painter, QPointF at, const StatementBlock &statemen
                             text + QPointF(0, statement.state.empty() ? 0 : statement.state.height()));
 }
 
-/// The large word or its second line, both at the largest size that fits their column.
-TextBlock verdictWord(const VerdictLine &line, const QString &text, double width) {
+/// The text with a line break at the space nearest to its middle.
+QString inTwoLines(QString text) {
+    const auto fromMiddle = [&](qsizetype at) { return std::abs(2 * at + 1 - text.size()); };
+    qsizetype best = text.indexOf(u' ');
+    for (qsizetype at = best; at >= 0; at = text.indexOf(u' ', at + 1))
+        best = fromMiddle(at) < fromMiddle(best) ? at : best;
+    return best < 0 ? text : text.replace(best, 1, u'\n');
+}
+
+/// The large word with its second line, both at the largest size that fits their column; words that would
+/// become small are broken.
+TextBlock verdictWord(const VerdictLine &line, double width) {
     constexpr qsizetype longWord = 12;
     constexpr double smallest = 8;
+    constexpr double small = 10;
     TextStyle style{12, true, black, 1.2};
     if (line.large)
         style.size = std::max(line.word.size(), line.second.size()) > longWord ? 14 : 18;
-    style = fitted(style, smallest, width, [&](const TextStyle &tried) {
-        return std::max(TextBlock(line.word, tried).width(), TextBlock(line.second, tried).width());
-    });
-    return text.isEmpty() ? TextBlock() : TextBlock(text, style, width);
+    const auto widthOf = [](const QString &text) {
+        return [text](const TextStyle &tried) { return TextBlock(text, tried).width(); };
+    };
+    QStringList lines{line.word, line.second};
+    lines.removeAll(QString());
+    for (QString &each : lines) {
+        if (fitted(style, smallest, width, widthOf(each)).size < small)
+            each = inTwoLines(each);
+    }
+    const QString text = lines.join(u'\n');
+    return {text, fitted(style, smallest, width, widthOf(text)), width};
 }
 
 Strips verdictStrips(const VerdictLine &line, double width) {
@@ -486,14 +514,15 @@ Strips verdictStrips(const VerdictLine &line, double width) {
     const double largeMark = (line.large ? 4.8 : 3.4) * mm;
     const double wordLeft = line.mark == Mark::none ? 0 : largeMark + 1.2 * mm;
     const TextBlock label(line.label, {9, false, black, 1.28});
-    const TextBlock word = verdictWord(line, line.word, column - left - wordLeft);
-    const TextBlock second = verdictWord(line, line.second, column - left - wordLeft);
+    const TextBlock word = verdictWord(line, column - left - wordLeft);
     const TextBlock note =
         line.note.isEmpty() ? TextBlock() : TextBlock(line.note, smallStyle, column - left);
-    const StatementBlock limits = statementBlock(line.limits, width - rightAt - left, line.large);
-    const StatementBlock accordance = statementBlock(line.accordance, width - rightAt - left, line.large);
+    const double labels = statementLabel(line);
+    const StatementBlock limits = statementBlock(line.limits, width - rightAt - left, labels, line.large);
+    const StatementBlock accordance =
+        statementBlock(line.accordance, width - rightAt - left, labels, line.large);
 
-    const double leftHeight = label.height() + word.height() + second.height() + note.height();
+    const double leftHeight = label.height() + word.height() + note.height();
     const double rightHeight = limits.height() + accordance.height() + 2 * gap;
     const double inner = std::max(leftHeight, rightHeight);
     const double height = inner + 2 * padding;
@@ -507,9 +536,6 @@ Strips verdictStrips(const VerdictLine &line, double width) {
         drawMark(painter, mark, place + QPointF(largeMark / 2, word.lineHeight() / 2), largeMark);
         word.draw(painter, place + QPointF(wordLeft, 0));
         place.ry() += word.height();
-        if (!second.empty())
-            second.draw(painter, place + QPointF(wordLeft, 0));
-        place.ry() += second.height();
         if (!note.empty())
             note.draw(painter, place);
         place = at + QPointF(rightAt, padding + (inner - rightHeight) / 2);

@@ -39,14 +39,19 @@ TextStyle styled(bool bold, QRgb colour = black) {
     return style;
 }
 
+bool isDecimalMark(QChar c) {
+    return c == u'.' || c == u',';
+}
+
 qsizetype decimalMark(const QString &number) {
-    const auto mark =
-        std::find_if(number.begin(), number.end(), [](QChar c) { return c == u'.' || c == u','; });
+    const auto mark = std::find_if(number.begin(), number.end(), isDecimalMark);
     return mark == number.end() ? -1 : mark - number.begin();
 }
 
+/// False for a range like “−0.010 to 0.000”, too.
 bool isNumber(const QString &text) {
-    return std::any_of(text.begin(), text.end(), [](QChar c) { return c.isDigit(); });
+    return std::any_of(text.begin(), text.end(), [](QChar c) { return c.isDigit(); }) &&
+           std::count_if(text.begin(), text.end(), isDecimalMark) <= 1;
 }
 
 /// Position of the cells of a column.

@@ -175,12 +175,12 @@ SheetWords sheetWords(const EvaluatedDocument &evaluated, const std::vector<Test
 
 Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart> &parts,
                  const Writer &write) {
-    constexpr double numberColumn = 10; // mm, like all widths here
-    constexpr double valueColumn = 16;
-    constexpr double unitColumn = 9;
-    constexpr double instrumentColumn = 27;
-    constexpr double pictureColumn = 15;
-    constexpr double verdictColumn = 24;
+    constexpr double numberColumn = 9.2; // mm, like all widths here
+    constexpr double valueColumn = 13;   // wider where a number or title needs it
+    constexpr double unitColumn = 9.6;
+    constexpr double instrumentColumn = 26;
+    constexpr double pictureColumn = 17;
+    constexpr double verdictColumn = 22;
     constexpr double least = 40;
     const ReportHead &head = evaluated.document->report;
     const std::vector<SheetResult> results = evaluated.sheet();
@@ -191,21 +191,22 @@ Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart>
         else
             coverage.factor |= result.uncertainty.has_value();
     }
-    const auto number = [&](const Text &title, Alignment alignment = Alignment::decimal) {
-        Column column = write.column(title, valueColumn, alignment);
+    const auto number = [&](const Text &title) {
+        Column column = write.column(title, valueColumn, Alignment::decimal);
         column.fitting = true;
         return column;
     };
     Table table;
     table.columns = {write.column(REPORT_TEXT_FOR("report", "No.", "number of a row"), numberColumn),
                      write.flexible(REPORT_TEXT_FOR("report", "Object", "of the acceptance sheet"), least),
-                     number(REPORT_TEXT("report", "Tolerance"), Alignment::right),
+                     number(REPORT_TEXT("report", "Tolerance")),
                      number(REPORT_TEXT_FOR("report", "Measured", "value")),
                      number(REPORT_TEXT("report", "Limit")),
                      columnOf(QString(), unitColumn),
                      write.column(REPORT_TEXT("report", "Instrument"), instrumentColumn),
                      write.column(REPORT_TEXT("report", "Limit ± U"), pictureColumn),
                      write.column(REPORT_TEXT("report", "Verdict"), verdictColumn)};
+    table.columns.back().paddingLeft = 2; // from the picture
     table.columns[4].title = uncertaintyHead(coverage, write.language());
     for (std::size_t i = 0; i < results.size(); ++i) {
         const SheetRow &row = head.sheet[i];

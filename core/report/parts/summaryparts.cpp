@@ -164,6 +164,9 @@ private:
             if (m_shared.band)
                 result.title = m_write.text(REPORT_TEXT("report", "Limit ± U"));
             result.paddingLeft = pictureGap;
+        } else if (column.look == ResultLook::verdict) {
+            result.paddingLeft = 2; // from the picture
+            result.fitting = true;
         } else if (column.key == std::string_view("expandedUncertainty")) {
             result.title = uncertaintyHead(m_shared.coverage, m_write.language());
         }
