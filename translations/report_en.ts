@@ -81,6 +81,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n required statement(s) missing</source>
+        <translation>
+            <numerusform>%n required statement missing</numerusform>
+            <numerusform>%n required statements missing</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recommendation(s)</source>
+        <translation>
+            <numerusform>%n recommendation</numerusform>
+            <numerusform>%n recommendations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n note</numerusform>
+            <numerusform>%n notes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n difference(s): the report does not follow from the attached data.</source>
         <translation>
             <numerusform>%n difference: the report does not follow from the attached data.</numerusform>

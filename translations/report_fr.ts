@@ -6287,6 +6287,31 @@
             <numerusform>&#x202f;; %n écarts à l’usage</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n required statement(s) missing</source>
+        <translation>
+            <numerusform>%n information requise manque</numerusform>
+            <numerusform>%n informations requises manquent</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recommendation(s)</source>
+        <translation>
+            <numerusform>%n recommandation</numerusform>
+            <numerusform>%n recommandations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n note</numerusform>
+            <numerusform>%n notes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Findings of the test in all: %1.</source>
+        <translation>Constats de l’essai au total&#xa0;: %1.</translation>
+    </message>
     <message>
         <source>%1: the requirements of clauses 1 to 4.3.1 are met; the rest of 4.3 and clauses 5 to 7 were not available and not checked; number of targets and approaches by practice</source>
         <translation>%1&#xa0;: exigences des articles 1 à 4.3.1 satisfaites&#x202f;; la suite de 4.3 et les articles 5 à 7, non disponibles, n’ont pas été vérifiés&#x202f;; nombre de points visés et d’approches selon l’usage</translation>
@@ -6541,7 +6566,7 @@
     </message>
     <message>
         <source>limits not proven</source>
-        <translation>respect des limites non prouvé</translation>
+        <translation>respect&#xa0;des&#xa0;limites non&#xa0;prouvé</translation>
     </message>
     <message>
         <source>limits exceeded</source>

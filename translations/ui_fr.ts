@@ -1853,20 +1853,6 @@
             <numerusform>%n constats</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n requirement(s) not met</source>
-        <translation>
-            <numerusform>%n exigence non satisfaite</numerusform>
-            <numerusform>%n exigences non satisfaites</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n note(s)</source>
-        <translation>
-            <numerusform>%n note</numerusform>
-            <numerusform>%n notes</numerusform>
-        </translation>
-    </message>
     <message>
         <source>none</source>
         <translation>aucun</translation>
@@ -1878,13 +1864,6 @@
     <message>
         <source>Recommendation</source>
         <translation>Recommandation</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n recommendation(s)</source>
-        <translation>
-            <numerusform>%n recommandation</numerusform>
-            <numerusform>%n recommandations</numerusform>
-        </translation>
     </message>
 </context>
 <context>

@@ -72,7 +72,9 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
             if (other != page)
                 addPage(findings, *evaluated.document, other);
         }
-        summarise(findings);
+        CountedFindings counted = countedFindings(findings, language);
+        m_lack = std::move(counted.lack);
+        m_summary = counted.all.isEmpty() ? tr("none") : std::move(counted.all);
     }
     endResetModel();
 }
@@ -115,25 +117,6 @@ void FindingsModel::addPage(const std::vector<Finding> &findings, const Document
     const QString text = parts.join(QStringLiteral(" · "));
     const QString line = tr("%1: %2", "page: what is found there").arg(pageName(page), text);
     m_rows.push_back({worst, page, {}, line, {}});
-}
-
-/// The number missing, as the badges count it, and by grade what is wrong otherwise.
-void FindingsModel::summarise(const std::vector<Finding> &findings) {
-    int missing = 0;
-    std::array<int, 3> others{};
-    for (const Finding &finding : findings)
-        ++(lackOf(finding) == Lack::required ? missing : others.at(static_cast<std::size_t>(finding.grade)));
-    QStringList parts;
-    if (missing > 0)
-        parts << tr("%n required statement(s) missing", nullptr, missing);
-    if (others[0] > 0)
-        parts << tr("%n requirement(s) not met", nullptr, others[0]);
-    if (others[1] > 0)
-        parts << tr("%n recommendation(s)", nullptr, others[1]);
-    m_lack = parts.join(QStringLiteral(" · "));
-    if (others[2] > 0)
-        parts << tr("%n note(s)", nullptr, others[2]);
-    m_summary = parts.isEmpty() ? tr("none") : parts.join(QStringLiteral(" · "));
 }
 
 QVariant FindingsModel::cell(const FindingRow &line, int, int role) const {

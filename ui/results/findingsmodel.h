@@ -42,7 +42,6 @@ protected:
 
 private:
     [[nodiscard]] static QString gradeWord(Grade grade);
-    void summarise(const std::vector<Finding> &findings);
     void addFindings(const std::vector<Finding> &findings, const Document &document, Page page,
                      const Language &language);
     void addPage(const std::vector<Finding> &findings, const Document &document, Page page);

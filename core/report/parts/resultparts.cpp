@@ -149,8 +149,10 @@ Column columnOnPaper(const ResultColumn &column, const TestPart &part, const QSt
         if (column.key == std::string_view("expandedUncertainty"))
             result.title = uncertaintyHead(coverageOf(part.evaluation, part.head()), write.language());
         break;
-    case ResultLook::name:
     case ResultLook::verdict:
+        result.paddingLeft = besidePicture;
+        break;
+    case ResultLook::name:
         break;
     }
     return result;
@@ -628,6 +630,17 @@ void addResults(std::vector<Block> &blocks, const CircularPart &part) {
     addResultsAs(blocks, part, circularForm(part));
 }
 
+namespace {
+
+/// The number that the window shows, below the last findings of a test.
+void addCount(std::vector<Block> &blocks, const TestPart &part) {
+    const QString all = countedFindings(part.evaluation.findings, part.write.language()).all;
+    blocks.emplace_back(Paragraph{
+        part.write.say(REPORT_TEXT("report", "Findings of the test in all: %1."), all), TextSize::small});
+}
+
+} // namespace
+
 void addFindings(std::vector<Block> &blocks, const TestPart &part) {
     const Language &language = part.write.language();
     const bool leftOut = part.leavesOut(ReportPart::findings);
@@ -651,8 +664,11 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part) {
                           REPORT_TEXT("report", "what the text of %1 asks for and this test does not have"),
                           standardName(language, &part.edition())),
                part.findingsAnchor());
-    if (!none)
-        blocks.emplace_back(std::move(block));
+    if (none)
+        return;
+    blocks.emplace_back(std::move(block));
+    if (!part.annex || findingLines(part.evaluation, language, FindingsOf::others).lines.empty())
+        addCount(blocks, part);
 }
 
 void addFurtherFindings(std::vector<Block> &blocks, const TestPart &part) {
@@ -664,6 +680,7 @@ void addFurtherFindings(std::vector<Block> &blocks, const TestPart &part) {
     addHeading(blocks, part.write.text(REPORT_TEXT("report", "Findings of practice, laboratory and program")),
                {}, part.edition().textRead == TextRead::none ? part.findingsAnchor() : QString());
     blocks.emplace_back(std::move(block));
+    addCount(blocks, part);
 }
 
 QString nameInTable(const Writer &write, const Text &name) {

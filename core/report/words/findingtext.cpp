@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/words/findingtext.h"
 
+#include "kernel/evaluation/accordance.h"
+
 #include <QStringList>
 #include <algorithm>
 #include <array>
@@ -67,6 +69,25 @@ QString findingsText(std::span<const Finding *const> findings, const Language &l
 
 QString findingText(const Finding &finding, const Language &language) {
     return withRemark(sentencesOf(std::array{&finding}, language, false), finding.source, language);
+}
+
+CountedFindings countedFindings(std::span<const Finding> findings, const Language &language) {
+    int missing = 0;
+    std::array<int, 3> others{}; // wrong otherwise, by grade
+    for (const Finding &finding : findings)
+        ++(lackOf(finding) == Lack::required ? missing : others.at(static_cast<std::size_t>(finding.grade)));
+    QStringList parts;
+    const auto add = [&](const Text &words, int count) {
+        if (count > 0)
+            parts << language.sentence({words, {}, count});
+    };
+    add(REPORT_TEXT_COUNTED("report", "%n required statement(s) missing"), missing);
+    add(REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), others[0]);
+    add(REPORT_TEXT_COUNTED("report", "%n recommendation(s)"), others[1]);
+    const QString between = QStringLiteral(" · ");
+    QString lack = parts.join(between);
+    add(REPORT_TEXT_COUNTED("report", "%n note(s)"), others[2]);
+    return {std::move(lack), parts.join(between)};
 }
 
 } // namespace palmer

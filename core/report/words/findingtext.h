@@ -20,4 +20,12 @@ namespace palmer {
 /// counted. For lists with the source in their headings.
 [[nodiscard]] QString findingsText(std::span<const Finding *const> findings, const Language &language);
 
+/// How many findings there are, for the window and the report: "7 required statements missing · 1 requirement
+/// not met · 2 notes".
+struct CountedFindings {
+    QString lack; ///< without the notes; empty if there is nothing to do
+    QString all;  ///< empty if there is no finding
+};
+[[nodiscard]] CountedFindings countedFindings(std::span<const Finding> findings, const Language &language);
+
 } // namespace palmer
