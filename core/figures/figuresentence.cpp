@@ -49,7 +49,7 @@ struct Describe {
 
     [[nodiscard]] QString titled(const QString &title, QStringList parts) const {
         parts.removeAll(QString());
-        const QString text = parts.join(QStringLiteral("; "));
+        const QString text = parts.join(language.semicolon());
         return text.isEmpty() ? title
                               : language.sentence(REPORT_TEXT("report", "%1: %2"),
                                                   {title.toStdString(), text.toStdString()});

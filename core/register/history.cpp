@@ -13,6 +13,7 @@
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
 #include "report/attachedfile.h"
+#include "report/parts/testpart.h"
 #include "report/words/accordancetext.h"
 #include "report/words/wording.h"
 
@@ -26,7 +27,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double panelHeight = 26;      ///< mm
+constexpr double panelHeight = 27;      ///< mm
 constexpr double legendRowHeight = 4.2; ///< mm, for three texts
 constexpr double legendMargin = 1.6;
 constexpr std::size_t panelsOfRow = 4;
@@ -156,9 +157,9 @@ private:
             interval = m_language.sentence(
                 {REPORT_TEXT_COUNTED("report", "%n month(s)"), {}, static_cast<int>(*machine.months)});
         if (const std::optional<QDate> due = m_history.due.test())
-            interval += QStringLiteral("; ") + say(REPORT_TEXT("report", "next test before %1 (%2)"),
-                                                   {Date{due->toString(Qt::ISODate).toStdString()},
-                                                    m_history.due.axesDue(*due).toStdString()});
+            interval += m_language.semicolon() + say(REPORT_TEXT("report", "next test before %1 (%2)"),
+                                                     {Date{due->toString(Qt::ISODate).toStdString()},
+                                                      m_history.due.axesDue(*due).toStdString()});
         head.right.rows = {{text(REPORT_TEXT("report", "Tests")), counts()},
                            {text(REPORT_TEXT("report", "Interval")), interval},
                            {text(REPORT_TEXT("report", "Made on")),
@@ -360,6 +361,7 @@ private:
         }
         table.columns.push_back({text(REPORT_TEXT("report", "Limits")), {}, Alignment::left, false, 23});
         table.columns.push_back({text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, 28});
+        table.columns.back().fitting = hasEdition; // there is room then
         for (const auto &[key, campaign] : all) {
             const auto &[date, role, purpose] = key;
             std::vector<Cell> row{Cell(m_language.shortDate(date)), Cell(text(purposeText(purpose))),
@@ -374,6 +376,7 @@ private:
             row.push_back(accordanceOf(campaign));
             table.rows.push_back(std::move(row));
         }
+        leaveOutEmptyColumns(table, 1, 2); // purpose, role
         m_blocks->emplace_back(std::move(table));
     }
 
@@ -469,7 +472,7 @@ private:
             const std::size_t end = id.find('_');
             const QString index = end == std::string::npos ? QString() : utf8(id.substr(end + 1));
             results.push_back(
-                {(count == 0 ? QString() : QStringLiteral("; ")) + symbol.chopped(index.size())});
+                {(count == 0 ? QString() : m_language.semicolon()) + symbol.chopped(index.size())});
             if (!index.isEmpty())
                 results.push_back({index, true});
             results.push_back(

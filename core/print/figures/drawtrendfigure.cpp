@@ -18,7 +18,8 @@ constexpr double hatchHeight = 1.2 * mm;
 constexpr double hatchStep = 0.9 * mm;
 constexpr double labelWidth = 15 * mm; ///< of a row label
 constexpr double panelGap = 2.5 * mm;
-constexpr double titleHeight = 4.2 * mm;
+constexpr double titleHeight = 5.2 * mm; ///< above it no number of the axis
+constexpr double titleLine = 2.1 * mm;   ///< middle of its text
 constexpr double trendTickRow = 3.2 * mm;
 constexpr double thin = 0.12 * mm;
 constexpr double bandStrength = 0.13;
@@ -172,7 +173,7 @@ private:
     }
 
     void drawTitle() {
-        const double line = m_area.top() + titleHeight / 2;
+        const double line = m_area.top() + titleLine;
         const QString unit = QStringLiteral(" (") + m_panel.unitName + QLatin1Char(')');
         const TextLine symbol = axisTitle(m_panel.y, {}, m_large ? unit : QString());
         // Starts at the axis labels, because "G(b)" with its index is wider than they are.

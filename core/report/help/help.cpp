@@ -126,7 +126,7 @@ HelpPage circularPage(const Edition &edition, const Language &language) {
         Phrase formula;
         if (found != circularFormulas.end()) {
             formula = phraseFrom(QString::fromUtf8(found->formula));
-            formula.spans.push_back({QStringLiteral("; ") + language.text(found->words)});
+            formula.spans.push_back({language.semicolon() + language.text(found->words)});
         }
         table.rows.push_back({Cell(symbolPhrase(row.term.symbol)), Cell(language.text(row.term.name)),
                               Cell(formula), clauseCell(row.term.clause)});

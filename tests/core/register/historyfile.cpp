@@ -7,6 +7,7 @@
 #include "document/documenterror.h"
 #include "print/pdf/writepdf.h"
 #include "print/proof/verifyreport.h"
+#include "report/blocks/pagetext.h"
 
 #include <QBuffer>
 #include <QJsonArray>
@@ -92,6 +93,8 @@ void HistoryFileTest::everythingShownIsInIt() {
     for (const Language::Id id : {Language::Id::english, Language::Id::french}) {
         const Report report = composeHistory(one, Language(id));
         QCOMPARE(report.testFile, json);
+        static const QRegularExpression withoutSpace("\\w;");
+        QCOMPARE(pageText(report).contains(withoutSpace), id == Language::Id::english);
         QVERIFY(composeHistoryFile(json, Language(id)) == report);
         const Verification verification = verified(pdfOf(report));
         QVERIFY(verification.identical && verification.ofHistory);
