@@ -422,14 +422,14 @@ struct StatementBlock {
 };
 
 constexpr double statementMark = 4 * mm;
-constexpr TextStyle labelText{8.5, false, black, 1.25};
+constexpr TextStyle ofStatementLabel{8.5, false, black, 1.25};
 
 /// Room for the labels of the statements of a verdict.
 double statementLabel(const VerdictLine &line) {
     constexpr double least = 13.5 * mm;
     constexpr double behind = 1.5 * mm;
-    return std::max({least, TextBlock(line.limits.label, labelText).width() + behind,
-                     TextBlock(line.accordance.label, labelText).width() + behind});
+    return std::max({least, TextBlock(line.limits.label, ofStatementLabel).width() + behind,
+                     TextBlock(line.accordance.label, ofStatementLabel).width() + behind});
 }
 
 StatementBlock statementBlock(const VerdictStatement &statement, double width, double label, bool large) {
@@ -437,7 +437,7 @@ StatementBlock statementBlock(const VerdictStatement &statement, double width, d
     constexpr TextStyle largeState{10, true, black, 1.25};
     constexpr TextStyle largeText{8.5, false, noteGrey, 1.25};
     StatementBlock result{
-        TextBlock(statement.label, labelText), statement.mark, {}, {}, label + statementMark};
+        TextBlock(statement.label, ofStatementLabel), statement.mark, {}, {}, label + statementMark};
     const double room = width - result.textAt;
     RichText words = richText(statement.text);
     const bool empty = statement.text.plain().isEmpty();
