@@ -207,6 +207,7 @@ Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart>
                      write.column(REPORT_TEXT("report", "Limit ± U"), pictureColumn),
                      write.column(REPORT_TEXT("report", "Verdict"), verdictColumn)};
     table.columns.back().paddingLeft = 2; // from the picture
+    table.columns.back().fitting = true;
     table.columns[4].title = uncertaintyHead(coverage, write.language());
     for (std::size_t i = 0; i < results.size(); ++i) {
         const SheetRow &row = head.sheet[i];

@@ -226,6 +226,11 @@ std::pair<QSet<QString>, QSet<QString>> catalogueWords() {
         else if (xml.name() == u"translation" || xml.name() == u"numerusform")
             french += wordsOf(xml.readElementText(QXmlStreamReader::IncludeChildElements));
     }
+    QXmlStreamReader plurals(content(QString(CATALOGUES) + "/report_en.ts"));
+    while (!plurals.atEnd()) {
+        if (plurals.readNext() == QXmlStreamReader::StartElement && plurals.name() == u"numerusform")
+            english += wordsOf(plurals.readElementText());
+    }
     return {english, french};
 }
 
