@@ -152,8 +152,7 @@ CircularTrials::Part CircularTrials::partOf(const EvaluatedPath &path, std::uint
     std::vector<double> x;
     std::vector<double> y;
     std::vector<double> radii;
-    for (std::size_t k = 0; k < path.source.size(); ++k) {
-        const std::size_t i = path.source[k];
+    for (const std::size_t i : path.source) {
         const Point u = direction(arc.angles[i]);
         const double r = m_measurement.nominalRadius + arc.radialDeviations[i];
         part.angles.push_back(arc.angles[i]);
