@@ -156,7 +156,7 @@ std::string textOf(Handle dictionary, const char *key) {
 }
 
 /// Adds what a reading aid says instead of the page: alternative texts of the tagged parts.
-void addTaggedTexts(std::vector<std::string> &result, Handle root) {
+void addTaggedTexts(std::vector<std::string> &result, const Handle &root) {
     std::set<QPDFObjGen> known;
     std::vector<Handle> next{root};
     while (!next.empty()) {

@@ -47,7 +47,7 @@ ResponseFit::ResponseFit(const ResponseRecord &record)
     m_xLeft = m_x - m_straight * (m_straight.transpose() * m_x);
 }
 
-Vector ResponseFit::masked(Vector column) const {
+Vector ResponseFit::masked(const Vector &column) const {
     return column.cwiseProduct(m_mask);
 }
 

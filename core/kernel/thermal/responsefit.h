@@ -55,7 +55,7 @@ public:
 private:
     [[nodiscard]] bool hasStart(double tau) const { return !m_record.settled && tau > 0; }
     [[nodiscard]] Eigen::VectorXd startOf(double tau) const;
-    [[nodiscard]] Eigen::VectorXd masked(Eigen::VectorXd column) const;
+    [[nodiscard]] Eigen::VectorXd masked(const Eigen::VectorXd &column) const;
 
     const ResponseRecord &m_record;
     Eigen::VectorXd m_mask; ///< 1 or 0
