@@ -99,11 +99,14 @@ QStringList faultsOf(const Report &report) {
             const bool goesOn = std::abs(next.area.left() - line.area.left()) < mm &&
                                 next.area.top() > line.area.top() &&
                                 next.area.top() < line.area.bottom() + 0.5 * line.area.height();
-            const bool partsCount = line.words.size() > 1 && count.match(line.last).hasMatch() &&
-                                    noun.match(next.first).hasMatch();
+            // not the number of a name, "Hall 2"
+            const bool partsCount = line.words.size() > 1 &&
+                                    u":;·("_s.contains(line.words.end()[-2].back()) &&
+                                    count.match(line.last).hasMatch() && noun.match(next.first).hasMatch();
             if (goesOn &&
                 (partsCount || forbiddenBreaks().match(line.last + u" \n"_s + next.first).hasMatch()))
-                say(u"broken: “%1|%2”"_s.arg(line.last, next.first));
+                say(u"broken: “%1|%2”"_s.arg(
+                    line.words.mid(std::max<qsizetype>(line.words.size() - 4, 0)).join(u' '), next.first));
         }
         const bool ends =
             i + 1 == pages.size() || (!endOfCertificate.isEmpty() && text.contains(endOfCertificate));
