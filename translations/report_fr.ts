@@ -1125,7 +1125,7 @@
     </message>
     <message>
         <source>COMMAND [OPTION]… [FILE]…</source>
-        <translation>COMMAND [OPTION]… [FILE]…</translation>
+        <translation>COMMANDE [OPTION]… [FICHIER]…</translation>
     </message>
     <message>
         <source>evaluate the tests of its kind under another edition (a view: no verdicts)</source>
@@ -6914,7 +6914,7 @@
     </message>
     <message>
         <source>palmer [FILE]…</source>
-        <translation>palmer [FILE]…</translation>
+        <translation>palmer [FICHIER]…</translation>
     </message>
     <message>
         <source>unknown option %1; palmer --help lists them</source>
@@ -8112,7 +8112,7 @@
     </message>
     <message>
         <source>FILE is a test file (.palmer), a report of Palmer (PDF) or a measurement file that can be imported. palmer-cli does the same work without a window.</source>
-        <translation>FILE est un fichier d’essai (.palmer), un rapport de Palmer (PDF) ou un fichier de mesure qui peut être importé. palmer-cli fait le même travail sans fenêtre.</translation>
+        <translation>FICHIER est un fichier d’essai (.palmer), un rapport de Palmer (PDF) ou un fichier de mesure qui peut être importé. palmer-cli fait le même travail sans fenêtre.</translation>
     </message>
     <message>
         <source>this is no PNG or SVG picture; the report is printed without it</source>

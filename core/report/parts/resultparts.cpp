@@ -667,7 +667,9 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part) {
     if (none)
         return;
     blocks.emplace_back(std::move(block));
-    if (!part.annex || findingLines(part.evaluation, language, FindingsOf::others).lines.empty())
+    const bool isLast =
+        !part.annex || findingLines(part.evaluation, language, FindingsOf::others).lines.empty();
+    if (isLast && part.evaluation.findings.size() > 1) // one is counted at a glance
         addCount(blocks, part);
 }
 
