@@ -3190,6 +3190,10 @@
         <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; la première moitié des passes est lue comme ↑, la seconde comme ↓.</translation>
     </message>
     <message>
+        <source>Directions: “%1”, the heading of the targets, names one, those of the readings none.</source>
+        <translation>Sens&#xa0;: «&#xa0;%1&#xa0;», en-tête des points visés, en nomme un, ceux des relevés aucun.</translation>
+    </message>
+    <message>
         <source>Directions: nothing in the file says them; all runs are read as ↑.</source>
         <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; toutes les passes sont lues comme ↑.</translation>
     </message>

@@ -104,6 +104,18 @@ Message questionFor(std::string_view word, const FoundPasses &found,
         "report", "Directions: letters, abbreviations or titles say them; look whether ↑ and ↓ are right.")};
 }
 
+/// The heading of the targets if it names a direction: above columns of blanks, its words may belong to the
+/// readings. Empty if it names none.
+std::string targetHeadingWithDirection(const TableReading &reading) {
+    const std::vector<ImportColumn> &columns = reading.result.columns;
+    for (std::size_t c = 0; c < std::min(columns.size(), reading.body.columns.size()); ++c) {
+        const std::string &heading = reading.body.columns[c].heading;
+        if (columns[c].role == ColumnRole::target && readHeading(heading).direction)
+            return heading;
+    }
+    return {};
+}
+
 } // namespace
 
 void resolveDirections(FoundPasses &found, TableReading &reading) {
@@ -119,7 +131,13 @@ void resolveDirections(FoundPasses &found, TableReading &reading) {
         for (std::size_t j = 0; j < passes.size(); ++j)
             passes[j].direction = directionUnder(choice.value, j, passes.size());
     }
-    if (choice.origin == Origin::guessed)
+    const std::string straying = stated ? std::string() : targetHeadingWithDirection(reading);
+    if (choice.origin == Origin::guessed && !straying.empty())
+        reading.remarks.problem("directions",
+                                REPORT_TEXT("report", "Directions: “%1”, the heading of the targets, names "
+                                                      "one, those of the readings none."),
+                                excerpt(straying));
+    else if (choice.origin == Origin::guessed)
         // A machine's direction of rotation depends on the side it is seen from.
         reading.remarks.add(isPlain(choice.value, passes) && !found.hasSenses ? RemarkGrade::assumption
                                                                               : RemarkGrade::problem,

@@ -57,6 +57,7 @@ private slots:
     void answersAreTaken();
     void namesAllColumnsLeftOut();
     void aSignProvenByPositionsIsSaid();
+    void aDirectionAboveTheTargetsIsDoubted();
     void anOrderThatIsNotStatedIsInTurn_data();
     void anOrderThatIsNotStatedIsInTurn();
     void directionsOfFarPositionsAreGuessedAsOfNearOnes();
@@ -890,6 +891,20 @@ void LayoutsTest::aSignProvenByPositionsIsSaid() {
         QVERIFY(std::abs(*measurement.runs.at(0).deviations.at(2) - 0.0035) < 1e-12);
         QCOMPARE(testdata::remarks(imported).contains("target − actual"), isOpposite);
     }
+}
+
+/// Words of a heading of blanks may stray to the column before.
+void LayoutsTest::aDirectionAboveTheTargetsIsDoubted() {
+    const QByteArray below = "Target             Run 1\n[mm]                [mm]\n-600.5            0.0250\n"
+                             "-349.5            0.0337\n336.5             0.0147\n";
+    const auto isDoubted = [](const QByteArray &table) {
+        const Imported imported = importMeasurement(table, "x.csv");
+        return std::ranges::any_of(imported.questions, [](const Question &question) {
+            return question.id == "directions" && question.grade == QuestionGrade::doubtful;
+        });
+    };
+    QVERIFY(!isDoubted(below));
+    QVERIFY(isDoubted("             back deviation\n" + below));
 }
 
 void LayoutsTest::anOrderThatIsNotStatedIsInTurn_data() {
