@@ -3190,8 +3190,12 @@
         <translation>Sens&#xa0;: rien ne le dit dans le fichier&#x202f;; la première moitié des passes est lue comme ↑, la seconde comme ↓.</translation>
     </message>
     <message>
-        <source>Directions: “%1”, the heading of the targets, names one, those of the readings none.</source>
-        <translation>Sens&#xa0;: «&#xa0;%1&#xa0;», en-tête des points visés, en nomme un, ceux des relevés aucun.</translation>
+        <source>Order of the runs: in the table, ↓ comes before ↑ of the same number; ↑ is put first.</source>
+        <translation>Ordre des passes&#xa0;: dans le tableau, ↓ vient avant ↑ de même numéro&#x202f;; ↑ est mise en premier.</translation>
+    </message>
+    <message>
+        <source>Directions: only “%1”, the heading of the targets, names one.</source>
+        <translation>Sens&#xa0;: seul l’en-tête des points visés, «&#xa0;%1&#xa0;», en nomme un.</translation>
     </message>
     <message>
         <source>Directions: nothing in the file says them; all runs are read as ↑.</source>
@@ -4812,6 +4816,10 @@
     <message>
         <source>Drift of the %1 axis</source>
         <translation>Dérive de l’axe %1</translation>
+    </message>
+    <message>
+        <source>Drift of “%1”</source>
+        <translation>Dérive de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Time</source>

@@ -35,6 +35,14 @@ Interval widened(double low, double high) {
     return {low - space, high + space};
 }
 
+/// A channel that is not the axis is called by its own name.
+QString titleOf(const std::string &channel, const std::string &axis, const Language &language) {
+    if (!channel.empty() && channel != axis)
+        return language.sentence(REPORT_TEXT("report", "Drift of “%1”"), {channel});
+    return axis.empty() ? language.text(REPORT_TEXT("report", "Drift"))
+                        : language.sentence(REPORT_TEXT("report", "Drift of the %1 axis"), {axis});
+}
+
 } // namespace
 
 CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, const Language &language) {
@@ -50,8 +58,7 @@ CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, cons
                   : 0;
     const TimeUnit unit = timeUnit(last);
     CurveFigure figure;
-    figure.title = language.sentence(REPORT_TEXT("report", "Drift of the %1 axis"),
-                                     {channel.name.empty() ? measurement.axis.name : channel.name});
+    figure.title = titleOf(channel.name, measurement.axis.name, language);
     Curve curve{CurveRole::drift, {}};
     curve.points.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {

@@ -53,6 +53,18 @@ private slots:
                 figure.legend[0].text.contains(u"3.2\u202Fµm"_s));
     }
 
+    void theTitleNamesAxisOrChannel() {
+        Test test = driftTest({0, 10}, {0, 0.001});
+        QCOMPARE(figureOf(test).title, u"Drift of the X axis"_s);
+        auto &drift = std::get<DriftMeasurement>(test.measurement);
+        drift.deviations.clear();
+        drift.channels = {{"Channel 1", ChannelQuantity::deviation, {0.0, 0.001}}};
+        QCOMPARE(figureOf(test).title, u"Drift of “Channel 1”"_s);
+        drift.axis.name.clear();
+        drift.channels.front().name.clear();
+        QCOMPARE(figureOf(test).title, u"Drift"_s);
+    }
+
     void longTestsCountMinutesAndHours_data() {
         QTest::addColumn<double>("last");
         QTest::addColumn<QString>("unit");
