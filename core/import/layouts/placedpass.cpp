@@ -134,8 +134,8 @@ void resolveDirections(FoundPasses &found, TableReading &reading) {
     const std::string straying = stated ? std::string() : targetHeadingWithDirection(reading);
     if (choice.origin == Origin::guessed && !straying.empty())
         reading.remarks.problem("directions",
-                                REPORT_TEXT("report", "Directions: “%1”, the heading of the targets, names "
-                                                      "one, those of the readings none."),
+                                REPORT_TEXT("report", "Directions: only “%1”, the heading of the targets, "
+                                                      "names one."),
                                 excerpt(straying));
     else if (choice.origin == Origin::guessed)
         // A machine's direction of rotation depends on the side it is seen from.
@@ -161,10 +161,16 @@ std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading)
         both |= j > 0 && !same;
     }
     const bool isStated = numbers.size() == placed.size();
-    if (numbersOfDirections.size() == placed.size())
-        std::ranges::stable_sort(placed, {}, [](const PlacedPass &each) {
-            return std::pair(each.number, *each.direction == Direction::negative);
-        });
+    const auto place = [](const PlacedPass &each) {
+        return std::pair(each.number, *each.direction == Direction::negative);
+    };
+    if (numbersOfDirections.size() == placed.size()) {
+        if (both && inTurn && !std::ranges::is_sorted(placed, {}, place))
+            reading.remarks.note({},
+                                 REPORT_TEXT("report", "Order of the runs: in the table, ↓ comes before ↑ "
+                                                       "of the same number; ↑ is put first."));
+        std::ranges::stable_sort(placed, {}, place);
+    }
     std::vector<Pass> passes;
     passes.reserve(placed.size());
     for (PlacedPass &each : placed)

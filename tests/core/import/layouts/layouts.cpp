@@ -58,6 +58,7 @@ private slots:
     void namesAllColumnsLeftOut();
     void aSignProvenByPositionsIsSaid();
     void aDirectionAboveTheTargetsIsDoubted();
+    void anotherOrderOfDirectionsIsSaid();
     void anOrderThatIsNotStatedIsInTurn_data();
     void anOrderThatIsNotStatedIsInTurn();
     void directionsOfFarPositionsAreGuessedAsOfNearOnes();
@@ -905,6 +906,21 @@ void LayoutsTest::aDirectionAboveTheTargetsIsDoubted() {
     };
     QVERIFY(!isDoubted(below));
     QVERIFY(isDoubted("             back deviation\n" + below));
+}
+
+void LayoutsTest::anotherOrderOfDirectionsIsSaid() {
+    for (const bool isDownFirst : {false, true}) {
+        const QByteArray first = isDownFirst ? "Down" : "Up";
+        const QByteArray second = isDownFirst ? "Up" : "Down";
+        const Imported imported =
+            importMeasurement("Target (mm);" + first + " 1 (µm);" + second + " 1 (µm);" + first + " 2 (µm);" +
+                                  second + " 2 (µm)\n0;1;2;3;4\n100;5;6;7;8\n200;1;2;3;4\n",
+                              "x.csv", {});
+        const auto &measurement = std::get<PositioningMeasurement>(imported.test->measurement);
+        QCOMPARE(measurement.runs.at(0).approach, Direction::positive);
+        QCOMPARE(*measurement.runs.at(0).deviations.at(0), isDownFirst ? 0.002 : 0.001);
+        QCOMPARE(testdata::remarks(imported).contains("is put first"), isDownFirst);
+    }
 }
 
 void LayoutsTest::anOrderThatIsNotStatedIsInTurn_data() {
