@@ -151,27 +151,10 @@
 <context>
     <name>palmer::ui::FindingsModel</name>
     <message numerus="yes">
-        <source>%n required statement(s) missing</source>
-        <translation>
-            <numerusform>%n required statement missing</numerusform>
-            <numerusform>%n required statements missing</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n finding(s)</source>
         <translation>
             <numerusform>%n finding</numerusform>
             <numerusform>%n findings</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::Form</name>
-    <message numerus="yes">
-        <source>%n required statement(s) missing</source>
-        <translation>
-            <numerusform>%n required statement missing</numerusform>
-            <numerusform>%n required statements missing</numerusform>
         </translation>
     </message>
 </context>
@@ -272,16 +255,6 @@
         <translation>
             <numerusform>%n file has changes that are not saved.</numerusform>
             <numerusform>%n files have changes that are not saved.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::NavigationModel</name>
-    <message numerus="yes">
-        <source>%n required statement(s) missing</source>
-        <translation>
-            <numerusform>%n required statement missing</numerusform>
-            <numerusform>%n required statements missing</numerusform>
         </translation>
     </message>
 </context>

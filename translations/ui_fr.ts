@@ -1840,13 +1840,6 @@
         <translation>Note</translation>
     </message>
     <message numerus="yes">
-        <source>%n required statement(s) missing</source>
-        <translation>
-            <numerusform>%n information requise manque</numerusform>
-            <numerusform>%n informations requises manquent</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n finding(s)</source>
         <translation>
             <numerusform>%n constat</numerusform>
@@ -1917,13 +1910,6 @@
 </context>
 <context>
     <name>palmer::ui::Form</name>
-    <message numerus="yes">
-        <source>%n required statement(s) missing</source>
-        <translation>
-            <numerusform>%n information requise manque</numerusform>
-            <numerusform>%n informations requises manquent</numerusform>
-        </translation>
-    </message>
     <message>
         <source>not greater than 0</source>
         <translation>pas supérieur à 0</translation>
@@ -3212,13 +3198,6 @@
     <message>
         <source>unfinished</source>
         <translation>en cours</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n required statement(s) missing</source>
-        <translation>
-            <numerusform>%n information requise manque</numerusform>
-            <numerusform>%n informations requises manquent</numerusform>
-        </translation>
     </message>
     <message>
         <source>provisional</source>

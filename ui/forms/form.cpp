@@ -7,6 +7,7 @@
 #include "document/fieldvalue.h"
 #include "document/statedthings.h"
 #include "language/decimals.h"
+#include "report/words/findingtext.h"
 #include "ui/chip.h"
 #include "ui/forms/columnslayout.h"
 #include "ui/forms/grouplayout.h"
@@ -816,7 +817,7 @@ QString Form::usualText(int count) {
 }
 
 QString Form::missingText(int count) const {
-    return tr("%n required statement(s) missing", nullptr, count);
+    return missingStatements(count, language());
 }
 
 bool Form::focusField(const QString &id) {

@@ -5,6 +5,7 @@
 #include "kernel/measurement/readingsaside.h"
 #include "kernel/measurement/testfacts.h"
 #include "report/parts/parts.h"
+#include "report/words/findingtext.h"
 #include "report/words/wording.h"
 #include "ui/testname.h"
 #include "ui/windowlanguage.h"
@@ -143,7 +144,7 @@ QVariant NavigationModel::cell(const NavigationRow &row, int, int role) const {
                 parts += text;
         }
         if (row.count > 0)
-            parts += tr("%n required statement(s) missing", nullptr, row.count);
+            parts += missingStatements(row.count, windowLanguage());
         if (role == Qt::ToolTipRole && row.isHead())
             return {};
         return parts.join(QStringLiteral(", "));

@@ -70,7 +70,7 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
         addFindings(findings, *evaluated.document, page, language);
         for (const Page other : pages) {
             if (other != page)
-                addPage(findings, *evaluated.document, other);
+                addPage(findings, *evaluated.document, other, language);
         }
         CountedFindings counted = countedFindings(findings, language);
         m_lack = std::move(counted.lack);
@@ -96,7 +96,8 @@ void FindingsModel::addFindings(const std::vector<Finding> &findings, const Docu
 }
 
 /// Adds one line for the findings of another page, if any.
-void FindingsModel::addPage(const std::vector<Finding> &findings, const Document &document, Page page) {
+void FindingsModel::addPage(const std::vector<Finding> &findings, const Document &document, Page page,
+                            const Language &language) {
     int all = 0;
     int missing = 0;
     Grade worst = Grade::note;
@@ -111,7 +112,7 @@ void FindingsModel::addPage(const std::vector<Finding> &findings, const Document
         return;
     QStringList parts; // the number of the page's badge first
     if (missing > 0)
-        parts << tr("%n required statement(s) missing", nullptr, missing);
+        parts << missingStatements(missing, language);
     if (all > missing)
         parts << tr("%n finding(s)", nullptr, all - missing);
     const QString text = parts.join(QStringLiteral(" · "));

@@ -44,7 +44,8 @@ private:
     [[nodiscard]] static QString gradeWord(Grade grade);
     void addFindings(const std::vector<Finding> &findings, const Document &document, Page page,
                      const Language &language);
-    void addPage(const std::vector<Finding> &findings, const Document &document, Page page);
+    void addPage(const std::vector<Finding> &findings, const Document &document, Page page,
+                 const Language &language);
 
     QString m_summary;
     QString m_lack;

@@ -71,6 +71,10 @@ QString findingText(const Finding &finding, const Language &language) {
     return withRemark(sentencesOf(std::array{&finding}, language, false), finding.source, language);
 }
 
+QString missingStatements(int count, const Language &language) {
+    return language.sentence({REPORT_TEXT_COUNTED("report", "%n required statement(s) missing"), {}, count});
+}
+
 CountedFindings countedFindings(std::span<const Finding> findings, const Language &language) {
     int missing = 0;
     std::array<int, 3> others{}; // wrong otherwise, by grade
@@ -81,7 +85,8 @@ CountedFindings countedFindings(std::span<const Finding> findings, const Languag
         if (count > 0)
             parts << language.sentence({words, {}, count});
     };
-    add(REPORT_TEXT_COUNTED("report", "%n required statement(s) missing"), missing);
+    if (missing > 0)
+        parts << missingStatements(missing, language);
     add(REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), others[0]);
     add(REPORT_TEXT_COUNTED("report", "%n recommendation(s)"), others[1]);
     const QString between = QStringLiteral(" · ");

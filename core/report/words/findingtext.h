@@ -20,6 +20,9 @@ namespace palmer {
 /// counted. For lists with the source in their headings.
 [[nodiscard]] QString findingsText(std::span<const Finding *const> findings, const Language &language);
 
+/// "7 required statements missing".
+[[nodiscard]] QString missingStatements(int count, const Language &language);
+
 /// How many findings there are, for the window and the report: "7 required statements missing · 1 requirement
 /// not met · 2 notes".
 struct CountedFindings {
