@@ -43,6 +43,10 @@ void removeDriftReadings(Test &test, std::size_t row, std::size_t count) {
         cut(channel.values);
     for (DriftTemperature &temperature : drift->temperatures)
         cut(temperature.values);
+    if (drift->times.empty() && !drift->channels.empty()) { // so that readings can be typed again
+        drift->channels.clear();
+        drift->temperatures.clear();
+    }
 }
 
 void putDriftReadings(Test &test, std::size_t row, const DriftMeasurement &pasted) {

@@ -25,7 +25,7 @@ struct DriftReading {
 /// Replaces typed readings from `row` on; those beyond the end are appended. Channels are unchanged.
 void setDriftReadings(Test &test, std::size_t row, const std::vector<DriftReading> &readings);
 
-/// Removes readings; rows beyond the end are ignored.
+/// Removes readings; rows beyond the end are ignored. Channels without a reading go with their temperatures.
 void removeDriftReadings(Test &test, std::size_t row, std::size_t count);
 
 /// Readings of one channel, or of several and temperatures.

@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(drift(test).deviations, std::vector<double>{0.001});
     }
 
-    /// Nothing of a table with channels and temperatures is lost; the axis stays that of the test.
+    /// A table is taken with its channels and temperatures; the axis stays that of the test.
     void channelsAndTemperaturesAreTakenWhole() {
         Axis axis;
         axis.name = "Z";
@@ -81,6 +81,8 @@ private slots:
         QCOMPARE(drift(test).times, std::vector<double>{60});
         QCOMPARE(drift(test).channels[0].values, std::vector<std::optional<double>>{0.002});
         QCOMPARE(drift(test).temperatures[0].values, std::vector<std::optional<double>>{20.5});
+        removeDriftReadings(test, 0, 1);
+        QVERIFY(drift(test).channels.empty() && drift(test).temperatures.empty());
         put("Time (s)\tDeviation (µm)\tAir (°C)\n0\t0\t20\n5\t2\t20.5");
         QCOMPARE(drift(test).channels.at(0).name, std::string("Z"));
         put("0\t1\n5\t2");
