@@ -74,8 +74,7 @@ private:
                 continue;
             if (entries->is_directory(ignored))
                 walk(entries->path(), name + u'/');
-            else if (isWanted(name) && !(isOutput && hasEnding(name, ".pdf")) &&
-                     entries->exists(ignored))
+            else if (isWanted(name) && !(isOutput && hasEnding(name, ".pdf")) && entries->exists(ignored))
                 m_found.push_back({nameOf(name), shownFileName(nameOf(name)), shownFileName(name), true});
         }
     }

@@ -16,7 +16,7 @@ namespace palmer {
 
 namespace {
 
-/// An option, or an argument by its placeholder (MONTHS).
+/// An option as it is typed, or an argument as the help calls it (MONTHS).
 std::string typed(const char *option) {
     const bool isArgument = *option >= 'A' && *option <= 'Z';
     return (isArgument ? "" : "--") + std::string(option);

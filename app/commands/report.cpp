@@ -179,12 +179,8 @@ private:
                                  certified ? dcc(evaluated) : QByteArray());
         });
         auto [testFile, attachments] = carried.get();
-        const ReportOptions stated{QStringLiteral("Palmer " PALMER_VERSION),
-                                   m_selfTest.get(),
-                                   originals,
-                                   testFile,
-                                   {},
-                                   hasAnnex};
+        const ReportOptions stated{
+            QStringLiteral("Palmer " PALMER_VERSION), m_selfTest.get(), originals, testFile, {}, hasAnnex};
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
             const Report report = composeReport(evaluated, Language::fromName(name).value(), stated);

@@ -324,7 +324,7 @@ SaidUnit unitAmongWords(std::string_view text) {
 }
 
 /// "Abweichung in Hundertstel", "écart en m", "deviation in ticks": the last word, treated as if in brackets.
-/// Of single letters only units of length and time, as the others are axes.
+/// A single letter is read only as a unit of length or time; the others are axes.
 SaidUnit unitBehindPreposition(std::string_view text) {
     text = withoutBlanks(text);
     const std::size_t blank = text.rfind(' ');

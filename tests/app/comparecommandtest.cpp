@@ -110,7 +110,7 @@ void CompareCommandTest::theWordsAreExplained() {
     QVERIFY(!laboratories.contains("“Changed”"));
 }
 
-/// Nothing that a test states otherwise is called alike, and what was compared stands above the result.
+/// A statement that differs is not called alike, and the page says above the result what it compares.
 void CompareCommandTest::whatDiffersIsSaid() {
     const QTemporaryDir folder;
     QFile file(both);

@@ -504,7 +504,7 @@ constexpr double usualStart = 0.5;        ///< the same where the start was ente
 constexpr double leastLeftOut = 0.1;      ///< degrees from a reversal
 constexpr double mostLeftOut = 1;
 
-/// What is common to the arcs of circles.
+/// The facts that the arcs of all circles share.
 struct Ground {
     std::vector<Point> centres; ///< mm, one a circle
     bool commanded = false;     ///< angles of at least one arc

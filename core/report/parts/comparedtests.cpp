@@ -209,7 +209,7 @@ QString budgetOf(const PlacedTest &placed, const PlacedTest &other, const Writer
     return lines.join(u'\n');
 }
 
-/// What else a test states of the surroundings: coefficients, air, places of the sensors.
+/// The other statements on the surroundings: coefficients, air, places of the sensors.
 void addSurroundings(LabelledRows &rows, const Conditions &conditions, const Writer &write) {
     QStringList places;
     for (const Sensor &sensor : conditions.sensors)

@@ -455,7 +455,8 @@ QString deciding(const TestPart &part, const std::vector<const PrintedResult *> 
                           {shownLimit(part, result), values.toStdString()});
 }
 
-/// What decides a verdict, then what meets its limits; `inShort`: exceeded limits without their numbers.
+/// The sentences on the deciding results, then on those within their limits; `inShort`: exceeded limits
+/// without their numbers.
 QString judged(const TestPart &part, const std::vector<PrintedResult> &results, bool inShort) {
     const auto failing = resultsWith(results, Verdict::doesNotConform);
     const auto open = resultsWith(results, Verdict::notProven);

@@ -708,7 +708,7 @@ void RegisterScanTest::whatIsSaidMovesWithItsFolder_data() {
     QTest::newRow("made anew") << true;
 }
 
-/// Of the place where it was nothing is kept that nobody could change any more.
+/// The register keeps no choice of the old place, where nobody could change it any more.
 void RegisterScanTest::whatIsSaidMovesWithItsFolder() {
     QFETCH(bool, rebuild);
     for (const char *name : {"a", "b"}) {
