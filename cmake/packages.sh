@@ -3,7 +3,7 @@
 # Read by run and check: the Debian packages, and how to build. POSIX shell.
 
 buildPackages="g++ cmake ninja-build git ccache libeigen3-dev libboost-dev nlohmann-json3-dev
-libdeflate-dev libexpat1-dev libqpdf-dev libpoppler-qt6-dev libzip-dev qt6-base-dev libqt6sql6-sqlite libqt6sql6-psql libqt6opengl6-dev qt6-charts-dev qt6-svg-dev
+libdeflate-dev libxml2-dev libqpdf-dev libpoppler-qt6-dev libzip-dev qt6-base-dev libqt6sql6-sqlite libqt6sql6-psql libqt6opengl6-dev qt6-charts-dev qt6-svg-dev
 qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
 fontconfig fonts-liberation2 fonts-dejavu-core"
 

@@ -261,15 +261,15 @@ private:
         m_value.clear();
         m_isFormula = false;
         m_shown = m_cells.shown(0);
-        for (const char *const *each = xml.attributes; *each; each += 2) {
-            const std::string_view name = localName(each[0]);
+        for (const XmlElement::Attribute &each : xml.attributes) {
+            const std::string_view name = XmlElement::nameOf(each);
             const char letter = name.size() == 1 ? name.front() : '\0';
             if (letter == 'r')
-                m_column = columnOfReference(each[1]);
+                m_column = columnOfReference(XmlElement::valueOf(each));
             else if (letter == 't')
-                m_type = each[1];
+                m_type = XmlElement::valueOf(each);
             else if (letter == 's')
-                m_shown = m_cells.shown(wholeNumberIn<std::size_t>(each[1]));
+                m_shown = m_cells.shown(wholeNumberIn<std::size_t>(XmlElement::valueOf(each)));
         }
     }
 

@@ -4,7 +4,7 @@
 
 #include "document/documenterror.h"
 
-#include <expat.h>
+#include <libxml/parser.h>
 #include <zip.h>
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace palmer {
 
@@ -33,44 +34,38 @@ constexpr Text damaged = REPORT_TEXT(
                 {REPORT_TEXT("report", "the workbook unpacks to more than a table of readings can be")});
 }
 
-/// Uses expat, block by block.
+/// Uses libxml2, block by block.
 class XmlParser {
 public:
-    static constexpr zip_uint64_t roomSize = 1 << 16;
-
     explicit XmlParser(XmlHandler &handler)
-        : m_handler(handler)
-        , m_parser(XML_ParserCreate(nullptr)) {
-        XML_SetUserData(m_parser, this);
-        XML_SetElementHandler(m_parser, begin, end);
-        XML_SetCharacterDataHandler(m_parser, text);
-        XML_SetStartDoctypeDeclHandler(m_parser, refuseEntities);
+        : m_handler(handler) {
+        xmlSAXHandler calls{};
+        calls.initialized = XML_SAX2_MAGIC;
+        calls.startElementNs = begin;
+        calls.endElementNs = end;
+        calls.characters = calls.ignorableWhitespace = text;
+        calls.internalSubset = refuseEntities;
+        m_parser = xmlCreatePushParserCtxt(&calls, this, nullptr, 0, nullptr);
+        if (!m_parser)
+            throw std::bad_alloc();
+        xmlCtxtUseOptions(m_parser, XML_PARSE_NOENT | XML_PARSE_NONET);
     }
-    ~XmlParser() { XML_ParserFree(m_parser); }
+    ~XmlParser() { xmlFreeParserCtxt(m_parser); }
     XmlParser(const XmlParser &) = delete;
     XmlParser &operator=(const XmlParser &) = delete;
 
-    /// Buffer for the next block.
-    [[nodiscard]] void *room() {
-        void *buffer = XML_GetBuffer(m_parser, roomSize);
-        if (!buffer)
-            throw std::bad_alloc();
-        return buffer;
-    }
-
-    void take(int size, bool isLast) {
-        const bool isRead = XML_ParseBuffer(m_parser, size, isLast) == XML_STATUS_OK;
+    void take(const char *block, int size) {
+        xmlParseChunk(m_parser, block, size, size == 0);
         if (m_thrown)
             std::rethrow_exception(m_thrown);
-        if (!isRead)
+        if (!m_parser->wellFormed)
             refuse();
     }
 
 private:
     [[noreturn]] void refuse() {
         throw Error(Error::Kind::syntax, {damaged},
-                    std::to_string(XML_GetCurrentLineNumber(m_parser)) + ':' +
-                        std::to_string(XML_GetCurrentColumnNumber(m_parser) + 1));
+                    std::to_string(m_parser->input->line) + ':' + std::to_string(m_parser->input->col));
     }
 
     /// Keeps exceptions from passing through the C parser.
@@ -82,35 +77,38 @@ private:
             tell();
         } catch (...) {
             m_thrown = std::current_exception();
-            XML_StopParser(m_parser, XML_FALSE);
+            xmlStopParser(m_parser);
         }
     }
 
-    static void begin(void *data, const char *name, const char **attributes) {
+    static void begin(void *data, const xmlChar *name, const xmlChar *, const xmlChar *, int, const xmlChar **,
+                      int count, int, const xmlChar **attributes) {
         auto &self = *static_cast<XmlParser *>(data);
         self.call([&] {
             constexpr int deepest = 64;
             if (++self.m_depth > deepest)
                 self.refuse();
-            self.m_handler.begin({localName(name), attributes});
+            self.m_handler.begin({inChars(name),
+                                  {reinterpret_cast<const XmlElement::Attribute *>(attributes),
+                                   static_cast<std::size_t>(count)}});
         });
     }
-    static void end(void *data, const char *name) {
+    static void end(void *data, const xmlChar *name, const xmlChar *, const xmlChar *) {
         auto &self = *static_cast<XmlParser *>(data);
         --self.m_depth;
-        self.call([&] { self.m_handler.end(localName(name)); });
+        self.call([&] { self.m_handler.end(inChars(name)); });
     }
-    static void text(void *data, const char *text, int size) {
+    static void text(void *data, const xmlChar *text, int size) {
         auto &self = *static_cast<XmlParser *>(data);
-        self.call([&] { self.m_handler.text({text, static_cast<std::size_t>(size)}); });
+        self.call([&] { self.m_handler.text(inChars(text, size)); });
     }
-    static void refuseEntities(void *data, const char *, const char *, const char *, int) {
+    static void refuseEntities(void *data, const xmlChar *, const xmlChar *, const xmlChar *) {
         auto &self = *static_cast<XmlParser *>(data);
         self.call([&] { self.refuse(); });
     }
 
     XmlHandler &m_handler;
-    XML_Parser m_parser;
+    xmlParserCtxtPtr m_parser;
     int m_depth = 0;
     std::exception_ptr m_thrown;
 };
@@ -175,19 +173,19 @@ void ZipFileOfLibzip::walk(const QString &name, XmlHandler &handler) {
     if (!file)
         refuseDamaged();
     XmlParser parser(handler);
+    std::vector<char> block(1 << 16);
     qint64 unpacked = 0;
-    for (;;) {
-        const zip_int64_t read = zip_fread(file.get(), parser.room(), XmlParser::roomSize);
+    zip_int64_t read = 0;
+    do {
+        read = zip_fread(file.get(), block.data(), block.size());
         if (read < 0)
             refuseDamaged();
         unpacked += read;
         if (unpacked > most)
             refuseBomb();
         if (unpacked > 0)
-            parser.take(static_cast<int>(read), read == 0);
-        if (read == 0)
-            break;
-    }
+            parser.take(block.data(), static_cast<int>(read));
+    } while (read > 0);
     m_unpacked[index] = unpacked;
 }
 

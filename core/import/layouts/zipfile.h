@@ -4,18 +4,41 @@
 
 #include <QByteArrayView>
 #include <QString>
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string_view>
 
 namespace palmer {
 
+inline std::string_view inChars(const unsigned char *text, std::ptrdiff_t size) {
+    return {reinterpret_cast<const char *>(text), static_cast<std::size_t>(size)};
+}
+inline std::string_view inChars(const unsigned char *name) {
+    if (name[0] != 0 && name[1] == 0) // most names in sheets
+        return inChars(name, 1);
+    return reinterpret_cast<const char *>(name);
+}
+
 /// Start of an element; names without prefixes. Valid during the call of the handler.
 struct XmlElement {
-    std::string_view name;
-    const char *const *attributes = nullptr; ///< alternating names and values, UTF-8; null-terminated
+    /// A name, the prefix and address of its namespace, and where its value begins and ends, as libxml2 has them.
+    using Attribute = std::array<const unsigned char *, 5>;
 
+    std::string_view name;
+    std::span<const Attribute> attributes;
+
+    static std::string_view nameOf(const Attribute &attribute) { return inChars(attribute[0]); }
+    static std::string_view valueOf(const Attribute &attribute) {
+        return inChars(attribute[3], attribute[4] - attribute[3]);
+    }
     /// Empty if there is none.
-    [[nodiscard]] std::string_view attribute(std::string_view wanted) const;
+    [[nodiscard]] std::string_view attribute(std::string_view wanted) const {
+        const auto found = std::ranges::find(attributes, wanted, nameOf);
+        return found == attributes.end() ? std::string_view() : valueOf(*found);
+    }
 };
 
 /// Receives the elements of a part.
@@ -52,20 +75,5 @@ protected:
 /// Uses libzip. The bytes must outlive the archive. Throws Error(content) for data that are damaged or not an
 /// archive.
 [[nodiscard]] std::unique_ptr<ZipFile> openZip(QByteArrayView bytes);
-
-inline std::string_view localName(const char *name) {
-    if (name[0] != 0 && name[1] == 0) // most names in sheets
-        return {name, 1};
-    const std::string_view all(name);
-    return all.substr(all.find(':') + 1); // npos + 1 is 0
-}
-
-inline std::string_view XmlElement::attribute(std::string_view wanted) const {
-    for (const char *const *each = attributes; *each; each += 2) {
-        if (localName(each[0]) == wanted)
-            return each[1];
-    }
-    return {};
-}
 
 } // namespace palmer
