@@ -500,6 +500,41 @@ void makeRoom(Scanner &scanner, std::size_t rows, std::size_t cells) {
     inHugePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
 }
 
+/// Takes the next word into a heading.
+void extend(TableCell &heading, const TableCell &word) {
+    heading.size = static_cast<std::uint16_t>(
+        std::min<std::size_t>(word.begin + word.size - heading.begin, longestCell));
+    heading.kind = CellKind::text;
+}
+
+/// Words above columns of fixed width, parted by single blanks: each heading begins, or each ends, where the
+/// number below it does. Empty if they stand otherwise.
+std::vector<TableCell> alignedWith(const CellTable &table, std::span<const TableCell> words,
+                                   std::span<const TableCell> numbers) {
+    for (const bool atEnd : {false, true}) {
+        const auto edge = [&](const TableCell &cell) {
+            return table.column({0, cell.begin + (atEnd ? cell.size : 0U)});
+        };
+        std::vector<TableCell> headings;
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const std::size_t at = headings.size();
+            const bool begins =
+                at < numbers.size() && (!atEnd    ? edge(words[i]) == edge(numbers[at])
+                                        : at == 0 ? i == 0
+                                                  : edge(words[i - 1]) == edge(numbers[at - 1]));
+            if (begins)
+                headings.push_back(words[i]);
+            else if (headings.empty())
+                break;
+            else
+                extend(headings.back(), words[i]);
+        }
+        if (headings.size() == numbers.size() && (!atEnd || edge(words.back()) == edge(numbers.back())))
+            return headings;
+    }
+    return {};
+}
+
 } // namespace
 
 CellTable readTable(std::string text, const TableOptions &options) {
@@ -547,6 +582,8 @@ void CellTable::joinWords() {
         std::vector<TableCell> joined = joinedWords(row, false);
         if (joined.size() < width)
             joined = joinedWords(row, true); // "t (ms) x (mm)" has only single blanks
+        if (joined.size() != width)
+            joined = alignedWith(*this, cells(row), cells(numbers));
         if (joined.size() != width)
             joined = joinedWords(row, false);
         if (joined.size() != width)
@@ -604,10 +641,7 @@ std::vector<TableCell> CellTable::joinedWords(const TableRow &row, bool brackets
             joined.push_back(cell);
             continue;
         }
-        TableCell &last = joined.back();
-        last.size = static_cast<std::uint16_t>(std::min<std::size_t>(
-            cell.begin + cell.size - last.begin, std::numeric_limits<std::uint16_t>::max()));
-        last.kind = CellKind::text;
+        extend(joined.back(), cell);
     }
     return joined;
 }
@@ -616,13 +650,7 @@ std::vector<TableCell> CellTable::joinedWords(const TableRow &row, bool brackets
 /// number. Empty if two belong to one.
 std::vector<TableCell> CellTable::placedOver(const std::vector<TableCell> &words,
                                              const TableRow &numbers) const {
-    const auto placeOf = [this](const TableCell &cell) {
-        const std::size_t line = m_text.find_last_of("\r\n", cell.begin);
-        const std::size_t begin = line == std::string::npos ? 0 : line + 1;
-        const std::string_view before = std::string_view(m_text).substr(begin, cell.begin - begin);
-        return std::ranges::count_if(before,
-                                     [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-    };
+    const auto placeOf = [this](const TableCell &cell) { return static_cast<std::ptrdiff_t>(column(cell)); };
     std::vector<TableCell> placed(numbers.count, TableCell{0, 0, 0, CellKind::empty});
     for (const TableCell &word : words) {
         const auto at = placeOf(word);

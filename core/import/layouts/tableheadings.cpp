@@ -146,7 +146,32 @@ bool saysUnit(std::string_view text) {
     return saidUnit(text).isSaid();
 }
 
-/// True for a heading row of units, in which a dash means none.
+/// "Reading (Zg)": an unknown word in brackets at the end is an unknown unit.
+std::string wordInBrackets(std::string_view heading) {
+    constexpr std::size_t longest = 8;
+    const std::size_t open = heading.find_last_of("([");
+    if (open == std::string_view::npos || open == 0 || heading.find_last_of(")]") != heading.size() - 1)
+        return {};
+    const std::string_view inside = withoutBlanks(heading.substr(open + 1, heading.size() - open - 2));
+    const bool isWord =
+        inside.size() > 1 && inside.size() <= longest &&
+        std::ranges::none_of(inside, [](char c) { return isDigit(c) || c == ' ' || c == ','; });
+    return isWord && readHeading(inside).unknownWords == 1 && !senseIn(inside) ? std::string(inside)
+                                                                               : std::string();
+}
+
+/// Some are units only in brackets: "m", "V", a quotation mark.
+bool isUnitInBrackets(std::string_view text) {
+    return !saysUnit(text) && saysUnit('(' + std::string(text) + ')');
+}
+
+/// "div" below a heading, where the word beside it is a unit.
+bool couldBeUnit(std::string_view text) {
+    return !wordInBrackets("of (" + std::string(text) + ')').empty();
+}
+
+/// True for a heading row of units, in which a dash means none. "in;div;div": a word that is a unit in such a
+/// row alone, above words that are nothing else.
 bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
     const auto isUnit = [&](const TableCell &cell) {
         const std::string_view text = table.text(cell);
@@ -154,7 +179,13 @@ bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
         return saysUnit(text) && heading.meaning == Meaning::unknown && !heading.direction && !heading.hint &&
                !heading.number && heading.unknownWords == 0 && heading.words <= 1;
     };
-    return std::ranges::any_of(cells, isUnit);
+    if (std::ranges::any_of(cells, isUnit))
+        return true;
+    const auto isUnitHere = [&](const TableCell &cell) { return isUnitInBrackets(table.text(cell)); };
+    return cells.size() > 1 && isUnitHere(cells.front()) &&
+           std::ranges::all_of(cells.subspan(1), [&](const TableCell &cell) {
+               return isUnitHere(cell) || couldBeUnit(table.text(cell));
+           });
 }
 
 /// "Name; X position; Y position" above "Unit; mm; mm": properties of each column, as written by
@@ -238,6 +269,7 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
                                                std::ranges::count(cells, CellKind::empty, &TableCell::kind));
         const bool spans = filled + 1 < columns.size() && index != rows.back();
         const bool hasUnits = isRowOfUnits(table, cells);
+        const bool isBelow = index != rows.front();
         const bool isGroup = index != rows.back() && isGroupRow(table, table.rows()[index], columns.size());
         std::string_view last;
         for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -250,10 +282,9 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
                 text = last;
             if (isGroup)
                 addWords(columns[c].group, text);
-            // Some are units only in brackets: "m", "V", a quotation mark.
-            const std::string inBrackets = '(' + std::string(text) + ')';
-            addWords(columns[c].heading,
-                     hasUnits && !saysUnit(text) && saysUnit(inBrackets) ? inBrackets : text);
+            const bool isUnit =
+                hasUnits && (isUnitInBrackets(text) || (isBelow && !saysUnit(text) && couldBeUnit(text)));
+            addWords(columns[c].heading, isUnit ? '(' + std::string(text) + ')' : text);
         }
     }
 }
@@ -309,20 +340,6 @@ void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
 /// The heading without the part above several columns.
 std::string_view ownHeading(const TableColumn &column) {
     return std::string_view(column.heading).substr(std::min(column.group.size(), column.heading.size()));
-}
-
-/// "Reading (Zg)": an unknown word in brackets at the end is an unknown unit.
-std::string wordInBrackets(std::string_view heading) {
-    constexpr std::size_t longest = 8;
-    const std::size_t open = heading.find_last_of("([");
-    if (open == std::string_view::npos || open == 0 || heading.find_last_of(")]") != heading.size() - 1)
-        return {};
-    const std::string_view inside = withoutBlanks(heading.substr(open + 1, heading.size() - open - 2));
-    const bool isWord =
-        inside.size() > 1 && inside.size() <= longest &&
-        std::ranges::none_of(inside, [](char c) { return isDigit(c) || c == ' ' || c == ','; });
-    return isWord && readHeading(inside).unknownWords == 1 && !senseIn(inside) ? std::string(inside)
-                                                                               : std::string();
 }
 
 /// A group of unknown words does not hide the headings below it, but is a kind of its own.

@@ -47,12 +47,31 @@ QString byColons(const QStringList &cells) {
     return line;
 }
 
-QString fixed(const QStringList &cells) {
-    constexpr qsizetype width = 22;
+/// Where cells stand in their columns.
+enum class Placed { left, right, centred };
+
+/// A word above several columns, with empty cells behind it, stands over the first, or in the middle.
+QString fixed(const QStringList &cells, qsizetype width, Placed placed) {
     QString line;
-    for (const QString &cell : cells)
-        line += cell.leftJustified(width);
+    for (qsizetype i = 0, columns = 1; i < cells.size(); i += columns) {
+        for (columns = 1; !cells[i].isEmpty() && i + columns < cells.size() && cells[i + columns].isEmpty();)
+            ++columns;
+        QString cell = cells[i];
+        if (placed == Placed::centred && columns > 1)
+            cell.prepend(QString((columns * width - cell.size()) / 2, ' '));
+        else if (placed != Placed::left)
+            cell = cell.rightJustified(width);
+        line += cell.leftJustified(columns * width);
+    }
     return line;
+}
+
+/// As narrow as the words allow, each over `span` columns: single blanks between some.
+qsizetype narrowWidth(const QStringList &words, qsizetype span) {
+    qsizetype width = 0;
+    for (const QString &word : words)
+        width = std::max(width, word.size() / span + 1);
+    return width;
 }
 
 } // namespace
@@ -65,7 +84,8 @@ GroupedTable groupedTable(std::mt19937 &random) {
     const std::size_t pairs = 1 + below(3);
     const bool repeats = below(3) == 0; // the word over each column
     const bool statesUnit = below(2) == 0;
-    const std::size_t form = below(6); // the last: columns parted by " : ", a group over the first of its own
+    // 5: columns parted by " : ", a group over the first of its own; 6 to 8: narrow columns of fixed width.
+    const std::size_t form = below(9);
     const bool isSheet = form == 4;
     const QString delimiter = form == 0 ? ";" : form == 1 ? "," : "\t";
     QStringList top{""};
@@ -102,10 +122,14 @@ GroupedTable groupedTable(std::mt19937 &random) {
         table.text = storedWorkbook(rows, merged);
         return table;
     }
+    const qsizetype narrow =
+        std::max(narrowWidth(head, 1), narrowWidth(words, repeats ? 1 : static_cast<qsizetype>(2 * pairs)));
+    const qsizetype width = form == 3 ? 22 : narrow + static_cast<qsizetype>(below(3));
+    const Placed placed = form < 7 ? Placed::left : form == 7 ? Placed::right : Placed::centred;
     for (const QStringList &row : rows)
-        table.text += (form == 3   ? fixed(row)
-                       : form == 5 ? byColons(row)
-                                   : row.join(delimiter))
+        table.text += (form == 3 || form > 5 ? fixed(row, width, placed)
+                       : form == 5           ? byColons(row)
+                                             : row.join(delimiter))
                           .toUtf8() +
                       '\n';
     return table;

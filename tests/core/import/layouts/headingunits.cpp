@@ -85,6 +85,13 @@ private slots:
         QTest::newRow("row of units")
             << QByteArray("Position;Forward;Reverse\nmm;ppm;ppm\n0;1;2\n90;2;3\n180;3;4\n") << "unit"
             << "ppm";
+        for (const char *word : {"div", "tick", "counts", "V"}) {
+            for (const char *known : {"in", "mm", "m", "µm"})
+                QTest::newRow(qPrintable(QString("row of units, of the targets %1: %2").arg(known, word)))
+                    << "Position;Run 1 +;Run 1 -\n" + QByteArray(known) + ';' + word + ';' + word +
+                           "\n0;1;2\n90;2;3\n180;3;4\n"
+                    << "unit" << QString(word);
+        }
         QTest::newRow("runs down") << QByteArray(
                                           "Position (mm);0;100;200\n↑ 1 (ppm);1.1;3;5\n↓ 1 (ppm);2.1;4;6\n")
                                    << "unit"
@@ -140,6 +147,18 @@ private slots:
         QVERIFY(!sentence.contains("nothing in the file"));
         const bool isUnderstood = !text.contains("Pitch"); // which is asked, too
         QVERIFY(!isUnderstood || !find(imported, "columns"));
+    }
+
+    /// A unit of the readings that is not known does not hide that of the targets beside it.
+    void takesTheUnitBesideIt() {
+        for (const auto &[said, unit] : {std::pair("in", "in"), std::pair("m", "m"), std::pair("µm", "um")}) {
+            const Imported imported = showMeasurement("Position;Run 1 +;Run 1 -\n" + QByteArray(said) +
+                                                          ";div;div\n0;1;2\n90;2;3\n180;3;4\n",
+                                                      "x.csv");
+            QCOMPARE(choiceOf(imported, "positionUnit"), QString(unit));
+            QCOMPARE(choiceOf(imported, "columns"), "target,run+1,run-1");
+            QVERIFY(!find(imported, "positionUnit"));
+        }
     }
 
     /// Who knows the unit says it, where it does not move the axis the other way.
