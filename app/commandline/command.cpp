@@ -204,8 +204,9 @@ QString meant(const QString &given, const QStringList &words, const Language &la
     const auto closest = std::ranges::min_element(words, {}, [&](const QString &word) {
         return distance(given.left(longest).toLower(), word.toLower());
     });
+    const auto letters = std::ranges::count_if(given, [](QChar c) { return c != u'-'; });
     if (closest == words.end() ||
-        distance(given.left(longest).toLower(), closest->toLower()) > 1 + given.size() / 4)
+        distance(given.left(longest).toLower(), closest->toLower()) > 1 + letters / 4)
         return {};
     return language.semicolon() +
            language.sentence({REPORT_TEXT("report", "did you mean %1?"), {closest->toStdString()}});

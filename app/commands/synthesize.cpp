@@ -340,7 +340,8 @@ int runSynthesize(const Invocation &invocation) {
     if (invocation.arguments.size() != 1 ||
         (!isCircular && !isDrift && kind != QLatin1StringView("positioning")))
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one word: %2"),
-                          {std::string("synthesize"), std::string("circular|positioning|drift")}});
+                          {std::string("synthesize"), std::string("circular|positioning|drift")}},
+                         invocation.arguments.size() == 1 ? kind : QString(), partsOf(synthesizeCommand()));
     const QString output = neededOutput(invocation, "synthesize", "-o OUT.palmer");
     requireOutputs(invocation, output);
     Document document;

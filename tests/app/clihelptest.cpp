@@ -232,6 +232,8 @@ private slots:
         QTest::newRow("help of a part")
             << QStringList{"help", "register", "scna"} << QByteArray("did you mean scan?");
         QTest::newRow("a schema") << QStringList{"schema", "result"} << QByteArray("did you mean results?");
+        QTest::newRow("a kind") << QStringList{"synthesize", "cirular"}
+                                << QByteArray("did you mean circular?");
         QTest::newRow("no profile") << QStringList{"evaluate", axis, "--profile", "x"}
                                     << QByteArray("--profile");
         QTest::newRow("a long name") << QStringList{"feed", QString(5000, 'x')}
