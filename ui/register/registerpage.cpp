@@ -80,6 +80,7 @@ QWidget *RegisterPage::makeTrend() {
     m_comparison->hide();
     connect(m_comparison, &CurveComparison::closed, this, [this] { m_menus.compare->setChecked(false); });
     connect(m_trend, &TrendView::testChosen, m_table, &TestsView::choose);
+    connect(m_trend, &TrendView::othersShown, m_table, &TestsView::setOtherSeries);
     auto *part = new QWidget;
     inRow(part, noMargins, 0, {{m_trend, 3}, {m_comparison, 3}});
     return part;

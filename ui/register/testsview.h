@@ -21,6 +21,7 @@ public:
     void setTests(std::vector<ListedTest> tests);
     /// See TestTableModel::setNumbers().
     void setNumbers(std::map<int, int> numbers) { m_tests->setNumbers(std::move(numbers)); }
+    void setOtherSeries(std::set<QString> digests) { m_tests->setOtherSeries(std::move(digests)); }
     void setSinceLast(int test, std::shared_ptr<const SinceLast> change) {
         m_tests->setSinceLast(test, std::move(change));
     }

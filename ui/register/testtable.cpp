@@ -152,7 +152,9 @@ TestTableModel::TestTableModel(QObject *parent)
 void TestTableModel::makeColumns() {
     const auto mark = [this](const ListedTest &listed, int role) {
         if (role == markRole)
-            return QVariant(static_cast<int>(markOf(listed.test.role)));
+            return QVariant(static_cast<int>(m_otherSeries.contains(listed.test.digest)
+                                                 ? TrendMark::otherSeries
+                                                 : markOf(listed.test.role)));
         const auto number = m_numbers.find(listed.id);
         return role == numberRole && number != m_numbers.end() ? QVariant(number->second) : QVariant();
     };
@@ -203,6 +205,12 @@ void TestTableModel::setNumbers(std::map<int, int> numbers) {
     if (numbers == m_numbers)
         return;
     m_numbers = std::move(numbers);
+    if (!m_rows.empty())
+        emit dataChanged(index(0, markColumn), index(rowCount() - 1, markColumn));
+}
+
+void TestTableModel::setOtherSeries(std::set<QString> digests) {
+    m_otherSeries = std::move(digests);
     if (!m_rows.empty())
         emit dataChanged(index(0, markColumn), index(rowCount() - 1, markColumn));
 }
@@ -274,9 +282,9 @@ void TestDelegate::paintContent(QPainter &painter, const QStyleOptionViewItem &o
         if (number.isValid()) {
             drawNumberTag(painter, centre, number.toInt(), palette);
         } else {
-            drawRoleMark(painter, centre,
-                         static_cast<TrendMark>(index.data(TestTableModel::markRole).toInt()),
-                         token(Token::accent, palette), palette);
+            const auto mark = static_cast<TrendMark>(index.data(TestTableModel::markRole).toInt());
+            const Token look = mark == TrendMark::otherSeries ? Token::secondaryText : Token::accent;
+            drawRoleMark(painter, centre, mark, token(look, palette), palette);
         }
     } else if (!icon.isEmpty()) {
         const auto look = static_cast<Token>(index.data(TestTableModel::tokenRole).toInt());

@@ -6,6 +6,7 @@
 #include "ui/quiettable.h"
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace palmer::ui {
@@ -21,13 +22,15 @@ public:
     explicit TestTableModel(QObject *parent = nullptr);
 
     enum Column { markColumn, dateColumn, axisColumn, editionColumn, purposeColumn, roleColumn, firstResult };
-    /// markRole: TrendMark of the test's role.
+    /// markRole: TrendMark of the test's point in the trend.
     enum Role { sortRole = Qt::UserRole + 1, uncertaintyRole, iconRole, tokenRole, numberRole, markRole };
 
     void setTests(std::vector<ListedTest> tests);
     [[nodiscard]] const ListedTest &test(int row) const { return this->row(row); }
     /// Curve numbers of tests, from 1, shown in place of the point's mark.
     void setNumbers(std::map<int, int> numbers);
+    /// Digests of tests that the trend shows as another series.
+    void setOtherSeries(std::set<QString> digests);
     /// The changes of a test since the last one.
     void setSinceLast(int test, std::shared_ptr<const SinceLast> change);
     [[nodiscard]] const std::vector<std::string> &results() const { return m_results; }
@@ -48,6 +51,7 @@ private:
 
     std::vector<std::string> m_results; ///< IDs of the result columns
     std::map<int, int> m_numbers;       ///< by test ID
+    std::set<QString> m_otherSeries;    ///< digests
 };
 
 /// Draws marks, values with U, and words with their mark.

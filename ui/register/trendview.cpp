@@ -143,6 +143,12 @@ void TrendView::chooseParameter(const QAbstractButton *button) {
 void TrendView::showTrend() {
     const MachineTrend trend = machineTrend(m_tests, m_parameter);
     m_chart->setTrend(trend, QDate::currentDate());
+    std::set<QString> others;
+    for (std::size_t i = 1; i < trend.series.size(); ++i) {
+        for (const TrendEntry &entry : trend.series[i].entries)
+            others.insert(entry.digest);
+    }
+    emit othersShown(others);
     m_facts->setTrend(trend);
     m_title->setText(m_parameter.empty() ? tr("Trend")
                                          : tr("Trend of %1, %2").arg(plainSymbolOf(m_parameter), m_about));

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <array>
+#include <set>
 
 namespace palmer::ui {
 
@@ -32,6 +33,7 @@ public:
 
 signals:
     void testChosen(const QString &digest);
+    void othersShown(const std::set<QString> &digests); ///< the tests of other series
 
 protected:
     void changeEvent(QEvent *event) override;

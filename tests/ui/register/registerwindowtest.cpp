@@ -459,6 +459,26 @@ private slots:
         QVERIFY(!m_window->isVisible());
     }
 
+    /// A test that the trend shows as another series has that mark in the table, too.
+    void theTableHasTheMarksOfTheTrend() {
+        Sample sample;
+        sample.machine = sample.serial = "Machine 1";
+        sample.date = "2022-01-01";
+        sample.feed = 500;
+        sample.level = 9.9; // readings of its own
+        writeFile(folder() + "/slow.palmer", fileOf(sample));
+        scan();
+        const auto *model = find<QTableView>("tests")->model();
+        QCOMPARE(model->rowCount(), 8);
+        for (int row = 0; row < model->rowCount(); ++row) {
+            const auto mark =
+                model->index(row, TestTableModel::markColumn).data(TestTableModel::markRole).toInt();
+            const QString date = model->index(row, TestTableModel::dateColumn).data().toString();
+            QVERIFY2((static_cast<TrendMark>(mark) == TrendMark::otherSeries) == date.contains("2022"),
+                     qPrintable(date));
+        }
+    }
+
     void theStatusBarCounts() {
         scan();
         auto *tests = find<QTableView>("tests");
