@@ -77,9 +77,9 @@ int stepInsteadOfPlay(const PathRows &rows, const InfluenceFit &fit) {
         if (!isPlay)
             terms.push_back(term);
     }
-    const InfluenceFit other(rows, std::move(terms));
+    const ColumnFit other = columnFit(rows.columns(terms), rows.deviations());
     constexpr double quantile95 = 3.84;
-    const double more = other.fit.residual.squaredNorm() - fit.fit.residual.squaredNorm();
+    const double more = other.residual.squaredNorm() - fit.fit.residual.squaredNorm();
     const double bound = quantile95 * slowVariance(fit);
     return more < -bound ? 2 : more < bound ? 1 : 0;
 }

@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace palmer {
 
@@ -72,6 +74,7 @@ public:
     Candidate best(const InfluenceFit &fit, bool quiet) {
         m_trials = 0;
         m_quiet = quiet;
+        m_noise.clear();
         Candidate result;
         const auto keep = [&](Candidate candidate) {
             ++m_trials;
@@ -167,9 +170,11 @@ private:
         const PitchScan scan(m_rows, fit, axis);
         Peak best;
         const std::vector<double> scores = scan.explained();
+        while (m_noise.size() < scores.size()) // the same of both axes
+            m_noise.push_back(noiseOf(fit, m_radius / PitchScan::periods(m_noise.size()) / m_radius));
         for (std::size_t k = 1; k + 1 < scores.size(); ++k) {
             const double pitch = m_radius / PitchScan::periods(k);
-            const double noise = noiseOf(fit, pitch / m_radius);
+            const double noise = m_noise[k];
             if (scores[k] / noise > best.explained / best.noise)
                 best = {axis, pitch, scores[k], noise};
             if (scores[k] > scores[k - 1] && scores[k] >= scores[k + 1] && scores[k] > 2 * asGood * noise)
@@ -209,33 +214,39 @@ private:
     bool m_bothSenses;
     bool m_quiet = false;
     int m_trials = 0;
+    std::vector<double> m_noise; ///< in the band of each pitch of a scan
     std::vector<Peak> m_peaks;
 };
 
 /// Iterates the width of each free spike until it converges.
 void refineWidths(const PathRows &rows, InfluenceFit &fit) {
     constexpr int turns = 8;
+    std::vector<FitTerm> terms = fit.terms;
+    std::optional<ColumnFit> refined;
     for (int turn = 0; turn < turns; ++turn) {
-        std::vector<FitTerm> terms = fit.terms;
+        const ColumnFit &last = refined ? *refined : fit.fit;
         bool moved = false;
         for (std::size_t j = 0; j + 1 < terms.size(); ++j) {
             if (terms[j].id != InfluenceId::reversalSpike || terms[j].second || !terms[j + 1].second)
                 continue;
-            const double height = fit.factor(j);
+            const double height = last.coefficient(Eigen::Index(j));
             const double width = terms[j].shape;
             if (height == 0)
                 continue;
             const double narrowest = narrowestSpike(rows);
-            const double wanted = width + fit.factor(j + 1) / height;
+            const double wanted = width + last.coefficient(Eigen::Index(j + 1)) / height;
             const double next =
                 std::clamp(std::clamp(wanted, width * 0.7, width * 1.4), narrowest, widestSpike);
             moved |= std::abs(next - width) > 1e-4 * width;
             terms[j].shape = terms[j + 1].shape = next;
         }
         if (!moved)
-            return;
-        fit = InfluenceFit(rows, std::move(terms));
+            break;
+        refined = columnFit(rows.columns(terms), rows.deviations());
+        fit.terms = terms;
     }
+    if (refined)
+        fit = InfluenceFit(rows, std::vector<FitTerm>(fit.terms), std::move(*refined));
 }
 
 /// Returns the probability that noise alone makes as much of the candidate, the last terms of the fit.
@@ -271,8 +282,11 @@ double amplitude(const InfluenceFit &fit, std::size_t firstTerm) {
 } // namespace
 
 InfluenceFit::InfluenceFit(const PathRows &rows, std::vector<FitTerm> fitted)
+    : InfluenceFit(rows, fitted, columnFit(rows.columns(fitted), rows.deviations())) {}
+
+InfluenceFit::InfluenceFit(const PathRows &rows, std::vector<FitTerm> fitted, ColumnFit columns)
     : terms(std::move(fitted))
-    , fit(columnFit(rows.columns(terms), rows.deviations()))
+    , fit(std::move(columns))
     , noise(fit.basis, fit.residual, rows.records()) {
     const double freedom = static_cast<double>(rows.used()) - fit.rank;
     if (freedom > 0)

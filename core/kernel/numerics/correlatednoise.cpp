@@ -27,15 +27,22 @@ constexpr int flicker = steps; ///< index of the shape 1/ω
 /// A coloured part adds two parameters: twice the chance gain of each, plus a half for the choice.
 constexpr double leastGain = 3;
 
-double correlation(int step) {
-    return 1 - std::exp2(-step / 2.0);
+/// `cosine`: of the angle, which many shapes share.
+double shape(int step, double angle, double cosine) {
+    static const auto correlations = [] {
+        std::array<double, steps> result{};
+        for (int k = 0; k < steps; ++k)
+            result[std::size_t(k)] = 1 - std::exp2(-k / 2.0);
+        return result;
+    }();
+    if (step == flicker)
+        return 1 / std::max(angle, 1e-3);
+    const double phi = correlations[std::size_t(step)];
+    return (1 - phi) * (1 - phi) / (1 + phi * phi - 2 * phi * cosine);
 }
 
 double shape(int step, double angle) {
-    if (step == flicker)
-        return 1 / std::max(angle, 1e-3);
-    const double phi = correlation(step);
-    return (1 - phi) * (1 - phi) / (1 + phi * phi - 2 * phi * std::cos(angle));
+    return shape(step, angle, std::cos(angle));
 }
 
 /// Returns the next length suited to a fast Fourier transform.
@@ -95,6 +102,7 @@ struct CorrelatedNoise::Spectrum {
         }
         power = power.cwiseProduct(multiplicity) / 2;
         left = left.cwiseProduct(multiplicity).cwiseMax(0) / 2;
+        cosines = Vector::NullaryExpr(frequencies, [this](Eigen::Index f) { return std::cos(angle(f)); });
         for (Eigen::Index from = 0; from < frequencies;) {
             bands.push_back(from);
             from += std::max<Eigen::Index>(2, from * 35 / 100);
@@ -108,7 +116,7 @@ struct CorrelatedNoise::Spectrum {
     [[nodiscard]] Vector shapeOf(int step) const {
         Vector result(power.size());
         for (Eigen::Index f = 0; f < result.size(); ++f)
-            result[f] = shape(step, angle(f));
+            result[f] = shape(step, angle(f), cosines[f]);
         return result;
     }
     /// Returns the sum over each band.
@@ -137,6 +145,7 @@ struct CorrelatedNoise::Spectrum {
     Vector multiplicity;
     Vector power; ///< I, halved at the frequencies that have no partner
     Vector left;  ///< h, counted in complex numbers
+    Vector cosines;
     std::vector<Spectra> columns;
     std::vector<Eigen::Index> bands;
 };
@@ -259,6 +268,9 @@ void CorrelatedNoise::judge(const Spectrum &spectrum) {
         if (spectrum.left[f] < least)
             continue;
         ++count;
+        // The chance grows with what is left, so that of `least` tells most that are not the least chance.
+        if (std::erfc(std::sqrt(ratio[f])) > m_judgement.line)
+            continue;
         const double chance = chiSquareExceeded(2 * ratio[f], 2 * spectrum.left[f]);
         if (chance < m_judgement.line) {
             m_judgement.line = chance;
