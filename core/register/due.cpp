@@ -5,6 +5,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "register/machinetrend.h"
 #include "register/register.h"
+#include "register/storedvalues.h"
 
 #include <algorithm>
 
@@ -112,20 +113,21 @@ std::map<int, MachineDue> dueDates(Database &database, const std::vector<ListedM
         if (machine.months)
             intervals.emplace(machine.id, *machine.months);
     }
-    QSqlQuery &last = database.run(QStringLiteral("select machine, axis, max(date) from test where purpose "
-                                                  "in ('periodic', 'acceptance') and date is not "
-                                                  "null and kind <> 'drift' group by machine, axis"));
+    QSqlQuery &last = database.run(
+        withNewestDays(QStringLiteral("kind <> 'drift' and purpose in ('periodic', 'acceptance')")) +
+        QStringLiteral("select machine, axis, day from last where day is not null"));
     while (last.next()) {
         const auto months = intervals.find(last.value(0).toInt());
         const QDate date = QDate::fromString(last.value(2).toString(), Qt::ISODate);
         if (months != intervals.end() && date.isValid())
             result[months->first].tests.emplace(last.value(1).toString(), date.addMonths(months->second));
     }
-    QSqlQuery &newest = database.run(QStringLiteral(
-        "select test.machine, instrument.description, instrument.serial from test, instrument, (select "
-        "machine, axis, max(date) as newest from test where date is not null group by machine, axis) as last "
-        "where test.machine = last.machine and test.axis = last.axis and test.date = last.newest and "
-        "instrument.test = test.id"));
+    QSqlQuery &newest = database.run(
+        withNewestDays(QStringLiteral("date is not null")) +
+        QStringLiteral(
+            "select test.machine, instrument.description, instrument.serial from test, instrument, "
+            "last where test.machine = last.machine and test.axis = last.axis and test.date = "
+            "last.day and instrument.test = test.id"));
     while (newest.next()) {
         const auto found = known.find({newest.value(1).toString(), newest.value(2).toString()});
         if (found != known.end())

@@ -211,11 +211,12 @@ std::map<int, std::vector<AxisState>> axisStates(Database &database) {
     std::map<int, std::vector<AxisState>> result;
     // If there are several tests on one day, the latest, in the order of tests().
     std::map<std::pair<int, QString>, std::pair<QString, AxisState>> newest;
-    QSqlQuery &query = database.run(QStringLiteral(
-        "select test.machine, test.axis, test.kind, test.verdict, test.accordance, test.time, test.role, "
-        "test.digest from test, (select machine, axis, max(date) as day from test where date is not null and "
-        "kind <> 'drift' group by machine, axis) as last where test.machine = last.machine and test.axis = "
-        "last.axis and test.date = last.day and test.kind <> 'drift'"));
+    QSqlQuery &query = database.run(
+        withNewestDays(QStringLiteral("kind <> 'drift'")) +
+        QStringLiteral(
+            "select test.machine, test.axis, test.kind, test.verdict, test.accordance, test.time, "
+            "test.role, test.digest from test, last where test.machine = last.machine and test.axis "
+            "= last.axis and test.date = last.day and test.kind <> 'drift'"));
     while (query.next()) {
         int machine = 0;
         AxisState state;

@@ -23,6 +23,18 @@ inline const QString resultColumns = QStringLiteral(
     "test, position, id, value, expanded, k, bound, limit_value, guard, verdict, own, shared, factor, whole, "
     "decimals, udecimals");
 
+/// Begins a statement with the table `last`: machine, axis and day of the newest test of each axis and plane
+/// that meets `condition`, null without one. It steps through the index instead of passing all tests.
+[[nodiscard]] inline QString withNewestDays(const QString &condition) {
+    return QStringLiteral("with recursive pair(machine, axis) as (select id, (select min(axis) from test "
+                          "where test.machine = machine.id) from machine union all select machine, (select "
+                          "min(axis) from test where test.machine = pair.machine and test.axis > pair.axis) "
+                          "from pair where axis is not null), last(machine, axis, day) as (select machine, "
+                          "axis, (select max(date) from test where test.machine = pair.machine and test.axis "
+                          "= pair.axis and %1) from pair where axis is not null) ")
+        .arg(condition);
+}
+
 /// Returns a value as it is stored: texts in UTF-16, yes as 1 and no as 0, words of enumerations.
 template <class T>
 [[nodiscard]] QVariant storedValue(const T &value) {
