@@ -3,7 +3,7 @@
 #include "formats/formats.h"
 
 const palmer::Formats *palmerFormats() {
-    static constexpr palmer::Formats formats{PALMER_VERSION,    &palmer::sha256,    &palmer::openZip,
-                                             &palmer::pdfParts, &palmer::finishPdf, &palmer::openPages};
+    static constexpr palmer::Formats formats{PALMER_VERSION, &palmer::sha256, &palmer::openZip,
+                                             &palmer::pdfParts, &palmer::finishPdf};
     return &formats;
 }

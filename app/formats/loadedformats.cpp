@@ -13,19 +13,21 @@ namespace palmer {
 namespace {
 
 /// Null if the library is missing, has another version or lacks its dependencies.
+const Formats *formatsIn(const QString &file) {
+    QLibrary library(QCoreApplication::applicationDirPath() + u'/' + file);
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): a name of a library
+    const auto function = reinterpret_cast<decltype(&palmerFormats)>(library.resolve("palmerFormats"));
+    const bool ours = function && std::string_view(function()->version) == PALMER_VERSION;
+    return ours ? function() : nullptr;
+}
+
 const Formats *loaded() {
-    static const Formats *const found = []() -> const Formats * {
-        QLibrary library(QCoreApplication::applicationDirPath() + QStringLiteral("/" PALMER_FORMATS));
-        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): a name of a library
-        const auto function = reinterpret_cast<decltype(&palmerFormats)>(library.resolve("palmerFormats"));
-        const bool ours = function && std::string_view(function()->version) == PALMER_VERSION;
-        return ours ? function() : nullptr;
-    }();
+    static const Formats *const found = formatsIn(QStringLiteral(PALMER_FORMATS));
     return found;
 }
 
-const Formats &formats(Error::Kind kind) {
-    if (const Formats *found = loaded())
+const Formats &formats(Error::Kind kind, const Formats *found = loaded()) {
+    if (found)
         return *found;
     throw Error(
         kind,
@@ -57,7 +59,8 @@ QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
 }
 
 std::unique_ptr<PdfPages> openPages(const QByteArray &pdf) {
-    return formats(Error::Kind::unreadable).openPages(pdf);
+    static const Formats *const pages = formatsIn(QStringLiteral(PALMER_PAGES));
+    return formats(Error::Kind::unreadable, pages).openPages(pdf);
 }
 
 } // namespace palmer

@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/formats.h"
+
+const palmer::Formats *palmerFormats() {
+    static constexpr palmer::Formats formats{.version = PALMER_VERSION, .openPages = &palmer::openPages};
+    return &formats;
+}
