@@ -67,9 +67,25 @@ double paddingBefore(const Table &table, std::size_t column) {
     return std::max(table.columns[column].paddingLeft * mm, column == 0 ? firstPadding : 0);
 }
 
+/// Space for decimal mark and decimals of a column; 0: it aligns none.
+double fractionOf(const Table &table, std::size_t column) {
+    qsizetype decimals = -1;
+    for (const auto &row : table.rows) {
+        const QString text = row[column].text.plain();
+        const qsizetype mark = isNumber(text) ? decimalMark(text) : -1;
+        if (mark >= 0)
+            decimals = std::max(decimals, text.size() - mark - 1);
+    }
+    if (table.columns[column].alignment != Alignment::decimal || decimals < 0)
+        return 0;
+    return textWidth(QStringLiteral(","), cellStyle) +
+           static_cast<double>(decimals) * textWidth(QStringLiteral("0"), cellStyle);
+}
+
 /// Width that the widest text of a column needs on one line, with padding.
 double neededWidth(const Table &table, std::size_t column) {
     const bool spread = table.columns[column].titleSpan > 1;
+    const double fraction = fractionOf(table, column);
     double widest = spread ? 0 : TextBlock(richText(table.columns[column].title, true), cellStyle).width();
     for (const auto &row : table.rows) {
         const Cell &cell = row[column];
@@ -77,6 +93,8 @@ double neededWidth(const Table &table, std::size_t column) {
             continue;
         const double before = cell.mark == Mark::none ? 0 : markWidth;
         widest = std::max(widest, before + TextBlock(richText(cell.text, cell.bold), cellStyle).width());
+        if (const QString text = cell.text.plain(); fraction > 0 && isNumber(text))
+            widest = std::max(widest, textWidth(text.left(decimalMark(text)), styled(cell.bold)) + fraction);
     }
     return paddingBefore(table, column) + widest + cellPadding;
 }
@@ -118,8 +136,6 @@ std::vector<double> columnWidths(const Table &table, double width) {
 std::vector<Place> places(const Table &table, double width) {
     std::vector<Place> result;
     const std::vector<double> widths = columnWidths(table, width);
-    const double decimal = textWidth(QStringLiteral(","), cellStyle);
-    const double digit = textWidth(QStringLiteral("0"), cellStyle);
     double x = 0;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const Column &column = table.columns[i];
@@ -129,17 +145,7 @@ std::vector<Place> places(const Table &table, double width) {
         place.left = x + padding;
         place.width = std::max(widths[i] - padding - cellPadding, 1.0);
         x += widths[i];
-        if (column.alignment == Alignment::decimal) {
-            qsizetype decimals = -1;
-            for (const auto &row : table.rows) {
-                const QString text = row[i].text.plain();
-                const qsizetype mark = isNumber(text) ? decimalMark(text) : -1;
-                if (mark >= 0)
-                    decimals = std::max(decimals, text.size() - mark - 1);
-            }
-            if (decimals >= 0)
-                place.fraction = decimal + static_cast<double>(decimals) * digit;
-        }
+        place.fraction = fractionOf(table, i);
         result.push_back(place);
     }
     return result;

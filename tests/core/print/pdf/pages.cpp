@@ -411,9 +411,14 @@ void PagesTest::extremeDocumentsStayInTheMargins() {
 
 void PagesTest::numbersStandOnTheirDecimalMark() {
     Table table;
-    table.columns = {{u"Value"_s, u"mm"_s, Alignment::decimal, false, 40}};
-    for (const QString &number : {u"1.25"_s, u"−12.5"_s, u"123"_s, QString()})
-        table.rows.push_back({number.isEmpty() ? Cell() : Cell(number)});
+    table.columns = {{u"Value"_s, u"mm"_s, Alignment::decimal, false, 40},
+                     {u"V"_s, {}, Alignment::decimal, false, 8}, // as wide as wholes and decimals need
+                     {u"Text"_s, {}, Alignment::left, true, 40}};
+    table.columns[1].fitting = true;
+    for (const auto &[number, other] :
+         {std::pair(u"1.25"_s, u"1.2500001"_s), std::pair(u"−12.5"_s, u"−12.6"_s),
+          std::pair(u"123"_s, u"124"_s), std::pair(QString(), u"125"_s)})
+        table.rows.push_back({number.isEmpty() ? Cell() : Cell(number), other, u"text"_s});
     // In tenths of a point: the mark of each number, by the widths that the PDF has.
     QXmlStreamReader xml(run(u"pdftotext"_s, {u"-bbox"_s, u"-"_s, u"-"_s}, pdfOf(reportOfBlocks({table}))));
     std::map<QString, std::pair<double, double>> edges;
@@ -433,6 +438,9 @@ void PagesTest::numbersStandOnTheirDecimalMark() {
     QVERIFY(std::abs(edges.at(u"−12.5"_s).second - mark - digit - place) < tolerance);
     QVERIFY(std::abs(edges.at(u"–"_s).second - place) < tolerance);
     QVERIFY(std::abs(edges.at(u"mm"_s).second - edges.at(u"1.25"_s).second) < tolerance);
+    const double fitted = edges.at(u"124"_s).second;
+    QVERIFY(std::abs(edges.at(u"1.2500001"_s).second - mark - 7 * digit - fitted) < tolerance);
+    QVERIFY(std::abs(edges.at(u"−12.6"_s).second - mark - digit - fitted) < tolerance);
 }
 
 /// Between the name of a result and the targets that rule it white space is wide enough to part them.
