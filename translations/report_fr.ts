@@ -10130,7 +10130,7 @@
     </message>
     <message>
         <source>no change proven</source>
-        <translation>aucun changement prouvé</translation>
+        <translation>non prouvé</translation>
     </message>
     <message>
         <source>changed</source>
@@ -10243,7 +10243,7 @@
     </message>
     <message>
         <source>“Changed” where the difference exceeds its U, between these two sessions; else “no change proven”. With an agreed tolerance: unchanged within it, changed by more, or not proven. Laboratories are judged by E_n.</source>
-        <translation>«&#xa0;Changé&#xa0;» lorsque la différence dépasse son U, entre ces deux séances&#x202f;; sinon «&#xa0;aucun changement prouvé&#xa0;». Avec une tolérance convenue&#xa0;: inchangé à celle-ci près, changé de plus, ou non prouvé. Les laboratoires sont jugés par E_n.</translation>
+        <translation>«&#xa0;Changé&#xa0;» lorsque la différence dépasse son U, entre ces deux séances&#x202f;; sinon «&#xa0;non prouvé&#xa0;». Avec une tolérance convenue&#xa0;: inchangé à celle-ci près, changé de plus, ou non prouvé. Les laboratoires sont jugés par E_n.</translation>
     </message>
     <message>
         <source>which test of A, and of B, from 1; without it the first of A that has its like in B</source>

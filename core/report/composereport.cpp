@@ -250,7 +250,6 @@ void addAnnexes(std::vector<Block> &blocks, const std::vector<TestPart> &parts, 
         blocks.insert(blocks.begin() + static_cast<std::ptrdiff_t>(first), heading.begin(), heading.end());
         printed.leaveOutRepeated(blocks, first, part);
     }
-    addStatedComparisons(blocks, parts);
     blocks.emplace_back(annexRunningHead(parts));
 }
 
@@ -383,10 +382,11 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
         report.certificatePages = static_cast<int>(2 * parts.size()) + several + hasSheet;
         addProgram(blocks, write, document, report.making, report.fingerprint, foreignCharacters(report),
                    several ? 1 : 2);
-        addThermalPages(blocks, evaluated, write);
-    } else if (several) {
-        addStatedComparisons(blocks, parts);
     }
+    if (several)
+        addStatedComparisons(blocks, parts);
+    if (report.making.annex)
+        addThermalPages(blocks, evaluated, write);
     thinFigures(blocks);
     blocks.emplace_back(EndMark{write.text(REPORT_TEXT("report", "End of the report"))});
     return report;

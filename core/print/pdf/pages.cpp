@@ -695,6 +695,7 @@ public:
             m_blocks.push_back({block, stripsOf(block, m_widest)});
         }
         arrange();
+        squeezeParts();
         squeezeEnds();
         putNumbers();
         m_report.blocks.clear();
@@ -716,9 +717,10 @@ private:
         Strips strips = joined(m_blocks);
         double narrowing = m_narrowing;
         for (Strip &strip : strips) {
-            if (strip.block >= 0 && isAnnex(m_blocks[static_cast<std::size_t>(strip.block)]))
+            const auto *block = strip.block < 0 ? nullptr : &m_blocks[static_cast<std::size_t>(strip.block)];
+            if (block && isAnnex(*block))
                 narrowing = m_narrowingOfAnnex;
-            strip.gap *= strip.gap < smallestToNarrow ? 1 : narrowing;
+            strip.gap *= strip.gap < smallestToNarrow ? 1 : block && block->close ? closest : narrowing;
         }
         m_flow = Flow(m_bottom);
         m_flow.fill(strips);
@@ -785,6 +787,37 @@ private:
         }
     }
 
+    /// Sets a part about no test alone closer if it then has one page instead of two.
+    void squeezeParts() {
+        for (std::size_t head = 0; head < m_blocks.size(); ++head) {
+            const auto *of = asA<TestHead>(m_blocks[head]);
+            if (!of || !of->anchor.isEmpty())
+                continue;
+            std::size_t end = head;
+            while (end < m_blocks.size() && !isMark(m_blocks[end].block))
+                ++end;
+            const auto pagesMore = [&] {
+                const std::vector<int> pages = pagesOfBlocks(m_flow, m_blocks.size());
+                return *std::max_element(pages.begin() + static_cast<std::ptrdiff_t>(head),
+                                         pages.begin() + static_cast<std::ptrdiff_t>(end)) -
+                       pages[head];
+            };
+            if (pagesMore() != 1)
+                continue;
+            const MeasuredBlocks wide(placeOf(m_blocks, head), placeOf(m_blocks, end));
+            for (std::size_t i = head; i < end; ++i) {
+                std::visit([](auto &block) { setNarrow(block); }, m_blocks[i].block);
+                m_blocks[i].strips = stripsOf(m_blocks[i].block, m_widest, true);
+                m_blocks[i].close = true;
+            }
+            flow();
+            if (pagesMore() > 0) {
+                std::ranges::copy(wide, placeOf(m_blocks, head));
+                flow();
+            }
+        }
+    }
+
     /// Narrower gaps, if that saves a page of the annex, or the last one of a certificate that stays too
     /// empty.
     void squeezeEnds() {
@@ -814,7 +847,7 @@ private:
         for (MeasuredBlock &each : m_blocks) {
             if (!putPages(each.block, numbers))
                 continue;
-            Strips strips = stripsOf(each.block, numbers);
+            Strips strips = stripsOf(each.block, numbers, each.close);
             for (std::size_t i = 0; i < std::min(strips.size(), each.strips.size()); ++i)
                 strips[i].height = each.strips[i].height;
             each.strips = std::move(strips);

@@ -55,6 +55,7 @@ using Strips = std::vector<Strip>;
 struct MeasuredBlock {
     Block block;
     Strips strips;
+    bool close = false; ///< set narrow, with the least gaps
 };
 using MeasuredBlocks = std::vector<MeasuredBlock>;
 

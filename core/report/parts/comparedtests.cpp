@@ -60,12 +60,13 @@ Table parameterTable(const TestComparison &comparison, const PlacedTest &before,
         flexibleColumn(QString(), 40),
         write.column(first, 13.6, Alignment::decimal, unit),
         write.column(second, 13.6, Alignment::decimal, unit),
-        write.column(REPORT_TEXT("report", "Difference"), 15, Alignment::decimal, unit),
-        columnOf(QStringLiteral("U"), 12, Alignment::decimal, unit),
+        write.column(REPORT_TEXT("report", "Difference"), 16, Alignment::decimal, unit),
+        columnOf(QStringLiteral("U"), 10, Alignment::decimal, unit),
         columnOf(Phrase({{QStringLiteral("E")}, {QStringLiteral("n"), true}}), 10, Alignment::decimal),
         write.column(REPORT_TEXT("report", "Diff. ± U"), 17),
-        write.column(REPORT_TEXT("report", "Statement"), 33)};
+        write.column(REPORT_TEXT("report", "Statement"), 27)};
     table.columns.front().fitting = true;
+    table.columns.back().fitting = true;
     table.columns[7].paddingLeft = 3;
     const std::vector<ComparedWords> words = comparedWords(comparison, write.language());
     const char *family = nullptr;
@@ -594,7 +595,9 @@ std::vector<Block> comparisonBlocks(const TestComparison &comparison, const Plac
                                                 "between targets of the first test: linear; less the mean of "
                                                 "all"))
                        : write.text(REPORT_TEXT("report", "at the common targets, less the mean of all")));
-        blocks.emplace_back(FigureBlock{std::move(figure)});
+        FigureBlock block{std::move(figure)};
+        block.least = 45; // all of a comparison is read on one page
+        blocks.emplace_back(std::move(block));
     }
     return blocks;
 }

@@ -333,7 +333,7 @@ TestHead comparisonHead(const TestPart &after, const TestPart &before) {
     head.editionTitle = write.text(comparisonNature());
     const auto named = [&](const TestPart &part) {
         return joined({write.say(REPORT_TEXT("report", "Test %1"), {wholeNumber(part.number)}),
-                       QString::fromStdString(part.test.title), dateOfTest(part)});
+                       QString::fromStdString(part.test.title)});
     };
     LabelledRows left(write, {{}, leftLabels});
     left.add(REPORT_TEXT("report", "Machine"), machineText(after.document().machine));

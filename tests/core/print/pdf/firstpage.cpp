@@ -95,6 +95,7 @@ private slots:
     void aTestOf11TargetsHasFourPages();
     void certificatesHaveTwoPages_data();
     void certificatesHaveTwoPages();
+    void aComparisonHasOnePage();
     void aLongHeadKeepsTheVerdict();
     void resultsStandBeforeAFigureWithoutRoom();
 };
@@ -214,6 +215,22 @@ void FirstPageTest::certificatesHaveTwoPages() {
             std::ranges::find_if(pages, [&](const QString &page) { return squeezed(page).contains(end); });
         const auto count = found - pages.begin() + 1;
         QVERIFY2(count <= (paper == Paper::a4 ? 2 : 3), qPrintable(QString::number(count)));
+    }
+}
+
+/// From its head to the curves, on A4.
+void FirstPageTest::aComparisonHasOnePage() {
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        const bool french = language == Language::Id::french;
+        QStringList pages;
+        for (const QString &page :
+             pageTexts(pdfOf(reportOf(storedDocument(u"x-axis-as-found-as-left"_s), language))))
+            pages << squeezed(page);
+        const qsizetype head =
+            pageOf(french ? u"Comparaison de deux essais"_s : u"Comparison of two tests"_s, pages);
+        QVERIFY(head >= 0);
+        QCOMPARE(pageOf(french ? u"bidirectionnel ± U"_s : u"bi-directional ± U"_s, pages, head), head);
+        QCOMPARE(pageOf(french ? u"Énoncé"_s : u"Statement"_s, pages, head), head);
     }
 }
 
