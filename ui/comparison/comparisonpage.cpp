@@ -9,6 +9,7 @@
 #include "language/decimals.h"
 #include "language/entry.h"
 #include "report/parts/comparedtests.h"
+#include "report/tables/resulttable.h"
 #include "ui/comparison/comparisonside.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
@@ -389,10 +390,12 @@ void ComparisonPage::fillParameters(const PlacedTest &was, const PlacedTest &is)
     m_parameters->setRowCount(static_cast<int>(words.size()));
     for (int row = 0; row < m_parameters->rowCount(); ++row) {
         const ComparedWords &shown = words[static_cast<std::size_t>(row)];
-        const auto &own = comparison.parameters[static_cast<std::size_t>(row)].word;
+        const ComparedParameter &parameter = comparison.parameters[static_cast<std::size_t>(row)];
+        const auto &own = parameter.word;
         const bool changed = own && statesDifference(*own);
         m_parameters->setCell(row, symbol, shown.symbol.plain(), false, true);
-        m_parameters->setCell(row, name, shown.name, false)->setToolTip(shown.name);
+        m_parameters->setCell(row, name, language.text(listedName(parameter.term)), false)
+            ->setToolTip(shown.name);
         m_parameters->setCell(row, before, shown.before, true);
         m_parameters->setCell(row, after, shown.after, true);
         m_parameters->setCell(row, difference, shown.difference, true, true);

@@ -32,7 +32,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int driftColumnWidth = 130;
+constexpr int driftColumnWidth = 104; // six beside a figure, at 1366
 constexpr int rangeDecimals = 2;
 
 } // namespace

@@ -59,6 +59,15 @@ private slots:
         QVERIFY(c.shown.find<QWidget>("figureCanvas")->isVisible());
     }
 
+    /// In full as a hint: there is no room for the terms of the standard.
+    void namesAreShort() {
+        const Compared c;
+        QTRY_COMPARE(c.cell(0, 1), QString("accuracy"));
+        QCOMPARE(c.cell(1, 1), QString("unidirectional"));
+        QCOMPARE(c.parameters->item(0, 1)->toolTip(),
+                 QString("bi-directional accuracy of positioning of an axis"));
+    }
+
     void theOtherDirectionHasTheOtherSign() {
         const Compared c;
         QTRY_COMPARE(c.cell(0, 0), QString("A"));
