@@ -9675,6 +9675,11 @@
         <translation>Contrôles</translation>
     </message>
     <message>
+        <source>row %1</source>
+        <comment>of the acceptance sheet</comment>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
         <source>Object</source>
         <comment>of the acceptance sheet</comment>
         <translation>Objet</translation>
@@ -10759,8 +10764,8 @@
         <translation>θ tenue à ± %1, au pire</translation>
     </message>
     <message>
-        <source>Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error of the model of ISO 230-2:2006 Annex A, the largest range within a duration T.</source>
-        <translation>Interprétation, pas un résultat de l’ISO 230-2. E_VE(T)&#xa0;: erreur de variation environnementale du modèle de l’ISO&#xa0;230-2:2006, annexe&#xa0;A, plus grande étendue sur une durée T.</translation>
+        <source>Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error (2006, Annex A), the largest range within a duration T.</source>
+        <translation>Interprétation, pas un résultat de l’ISO 230-2. E_VE(T)&#xa0;: erreur de variation environnementale (2006, annexe&#xa0;A), plus grande étendue sur T.</translation>
     </message>
     <message>
         <source>U of the budget, after the model of ISO 230-2:2006 Annex A, with that E_VE.</source>

@@ -28,7 +28,8 @@ namespace palmer::ui {
 namespace {
 
 constexpr const char *sheetContext = "palmer::ui::SheetPage";
-constexpr std::array columnWidths{52, 200, 120, 72, 60, 56, 110, 80, 72, 72, 104, 76};
+constexpr std::array columnWidths{52, 200, 120, 72, 60, 56, 110, 80, 72, 72, 104, 96};
+constexpr int mostForObject = 200; ///< more than that, in wide windows
 
 /// The guard picture of a row; else its text.
 class SheetDelegate : public QuietDelegate {
@@ -119,9 +120,11 @@ void SheetPage::makeTable() {
                              QAbstractItemView::AnyKeyPressed);
     for (std::size_t column = 0; column < columnWidths.size(); ++column)
         m_table->setColumnWidth(static_cast<int>(column), columnWidths[column]);
+    m_table->horizontalHeader()->setSectionResizeMode(static_cast<int>(SheetColumn::object),
+                                                      QHeaderView::Stretch);
     // Its columns need more room than fields.
     m_table->parentWidget()->setMaximumWidth(std::accumulate(columnWidths.begin(), columnWidths.end(), 0) +
-                                             2 * pageMargin);
+                                             mostForObject + 2 * pageMargin);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the page scrolls
     takeTableKeys(
         *m_table, [this] { paste(); }, [this] { removeRows(); });

@@ -88,6 +88,14 @@ std::size_t countOfState(const std::vector<SheetResult> &results, SheetState sta
     return static_cast<std::size_t>(std::ranges::count(results, state, &SheetResult::state));
 }
 
+/// "G9", "row 3": a number alone would read like a count.
+QString nameInSentence(const SheetRow &row, std::size_t index, const Writer &write) {
+    const std::string name = nameOf(row, index);
+    return std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; })
+               ? write.say(REPORT_TEXT_FOR("report", "row %1", "of the acceptance sheet"), {name})
+               : QString::fromStdString(name);
+}
+
 /// "G9 (0.019 mm for 0.020 ± 0.003 mm), G14": the rows in this state; those taken from a test are named with
 /// it.
 QString namedRows(const EvaluatedDocument &evaluated, const std::vector<SheetResult> &results,
@@ -99,7 +107,7 @@ QString namedRows(const EvaluatedDocument &evaluated, const std::vector<SheetRes
         const bool saidByTest = result.parameter && result.parameter->verdict == verdictOfRow(result);
         if (result.state != state || saidByTest)
             continue;
-        names << QString::fromStdString(nameOf(head.sheet[i], i));
+        names << nameInSentence(head.sheet[i], i, write);
         if (!verdictOfRow(result))
             continue;
         const SheetWords words = sheetWords(evaluated, {}, result, i, write);

@@ -148,8 +148,8 @@ Text noResponseText(ResponseState state) {
 
 Text thermalNature() {
     return REPORT_TEXT("report",
-                       "Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error of "
-                       "the model of ISO 230-2:2006 Annex A, the largest range within a duration T.");
+                       "Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error (2006, "
+                       "Annex A), the largest range within a duration T.");
 }
 
 bool hasThermalPage(const Test &test) {

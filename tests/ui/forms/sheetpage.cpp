@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QLabel>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTest>
 #include <QUndoStack>
@@ -113,6 +114,24 @@ private slots:
         sheet.shown.window->model().undoStack()->undo();
         sheet.shown.window->model().undoStack()->undo();
         QVERIFY(sheet.rows() == before);
+    }
+
+    /// No bar below the table, objects whole, also beside the bar of a long sheet.
+    void fitsTheWindow() {
+        const ShownSheet sheet;
+        sheet.shown.window->resize(1366, 768);
+        QString rows = "No.\tObject\tTolerance\tMeasured\tU\tUnit\n";
+        for (int i = 1; i <= 30; ++i)
+            rows += QString("S%1\tStraightness of X, plane XY, table\t0.02\t0.01\t0.003\tmm\n").arg(i);
+        sheet.choose(static_cast<int>(sheet.rows().size()), SheetColumn::number);
+        QApplication::clipboard()->setText(rows);
+        QTest::keyClick(sheet.table, Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(sheet.rows().back().number, std::string("S30"));
+        QTRY_COMPARE(sheet.table->horizontalScrollBar()->maximum(), 0);
+        constexpr int object = static_cast<int>(SheetColumn::object);
+        const QAbstractItemView &view = *sheet.table; // where the hint is public
+        QTRY_VERIFY(view.sizeHintForColumn(object) <= sheet.table->columnWidth(object));
+        QVERIFY(sheet.table->viewport()->width() > 1000);
     }
 
     /// What a test does not prove, its row does not either.
