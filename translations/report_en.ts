@@ -74,10 +74,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>; %n departure(s) from practice</source>
+        <source>%n departure(s) from practice</source>
         <translation>
-            <numerusform>; %n departure from practice</numerusform>
-            <numerusform>; %n departures from practice</numerusform>
+            <numerusform>%n departure from practice</numerusform>
+            <numerusform>%n departures from practice</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -85,6 +85,13 @@
         <translation>
             <numerusform>%n required statement missing</numerusform>
             <numerusform>%n required statements missing</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other required statement(s) missing</source>
+        <translation>
+            <numerusform>%n other required statement missing</numerusform>
+            <numerusform>%n other required statements missing</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -6293,10 +6293,10 @@
         <translation>&#x202f;; aucun écart à l’usage constaté</translation>
     </message>
     <message numerus="yes">
-        <source>; %n departure(s) from practice</source>
+        <source>%n departure(s) from practice</source>
         <translation>
-            <numerusform>&#x202f;; %n écart à l’usage</numerusform>
-            <numerusform>&#x202f;; %n écarts à l’usage</numerusform>
+            <numerusform>%n écart à l’usage</numerusform>
+            <numerusform>%n écarts à l’usage</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6304,6 +6304,13 @@
         <translation>
             <numerusform>%n information requise manque</numerusform>
             <numerusform>%n informations requises manquent</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other required statement(s) missing</source>
+        <translation>
+            <numerusform>%n autre information requise manque</numerusform>
+            <numerusform>%n autres informations requises manquent</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -281,18 +281,13 @@ std::vector<int> simulatedTests(const EvaluatedDocument &evaluated) {
     return result;
 }
 
-/// The usual title speaks of an acceptance; where every test states another purpose, it is "Test report".
+/// The usual title speaks of an acceptance only where the sheet or a test states it; else it is "Test
+/// report".
 std::shared_ptr<const Document> withTitle(std::shared_ptr<const Document> document,
                                           const Language &language) {
-    bool isAnother = false;
-    for (const auto &test : document->tests) {
-        if (kindOf(*test) == Kind::drift)
-            continue;
-        isAnother = test->purpose != Purpose::notStated && test->purpose != Purpose::acceptance;
-        if (!isAnother)
-            break;
-    }
-    if (!isAnother || !document->report.title.empty())
+    const ReportHead &head = document->report;
+    const auto isAcceptance = [](const auto &test) { return test->purpose == Purpose::acceptance; };
+    if (!head.title.empty() || !head.sheet.empty() || std::ranges::any_of(document->tests, isAcceptance))
         return document;
     auto titled = std::make_shared<Document>(*document);
     titled->report.title = language.text(REPORT_TEXT("report", "Test report")).toStdString();

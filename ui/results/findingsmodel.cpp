@@ -72,7 +72,7 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
             if (other != page)
                 addPage(findings, *evaluated.document, other, language);
         }
-        CountedFindings counted = countedFindings(findings, language);
+        CountedFindings counted = countedFindings(*evaluated.tests[test], language);
         m_lack = std::move(counted.lack);
         m_summary = counted.all.isEmpty() ? tr("none") : std::move(counted.all);
     }

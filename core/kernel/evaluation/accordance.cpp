@@ -9,13 +9,18 @@
 
 namespace palmer {
 
+bool countsForAccordance(const Finding &finding, bool wasRead) {
+    return wasRead ? finding.source == Source::text && finding.grade == Grade::requirement
+                   : finding.source == Source::practice && finding.state.has_value();
+}
+
 RequirementCounts countRequirements(std::span<const Finding> findings) {
     RequirementCounts counts;
     for (const Finding &finding : findings) {
         const bool unmet = finding.state == State::unmet;
         if (finding.source == Source::practice)
             counts.departures += unmet ? 1 : 0;
-        else if (finding.source == Source::text && finding.grade == Grade::requirement)
+        else if (countsForAccordance(finding, true))
             ++(unmet ? counts.unmet : counts.undeclared);
     }
     return counts;

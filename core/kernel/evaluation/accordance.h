@@ -15,6 +15,10 @@ struct Edition;
 /// yes: otherwise.
 enum class Accordance { notChecked, no, notShown, partly, yes };
 
+/// Returns true for findings that accordance counts: what the text of the edition requires; if it was not
+/// read, what practice does.
+[[nodiscard]] bool countsForAccordance(const Finding &finding, bool wasRead);
+
 /// Requirements that count for accordance, and departures from practice if the text was not read.
 struct RequirementCounts {
     int unmet = 0;

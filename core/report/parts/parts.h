@@ -11,7 +11,8 @@ namespace palmer {
 
 // The sections of a report in the order of its pages; the sources are named after them.
 
-/// The title of the report: its own, or "Acceptance test report".
+/// The title of the report: its own, or "Acceptance test report" (composeReport gives those of other purposes
+/// "Test report").
 [[nodiscard]] QString reportTitle(const Writer &write, const ReportHead &head);
 
 /// Running head of the pages of a test.

@@ -14,6 +14,13 @@ namespace palmer {
 
 namespace {
 
+/// ", 12 not declared"
+QString notDeclared(int count, const Language &language) {
+    return count == 0 ? QString()
+                      : QStringLiteral(", ") +
+                            language.sentence({REPORT_TEXT_COUNTED("report", "%n not declared"), {}, count});
+}
+
 class Sentence {
 public:
     Sentence(const Test &test, const TestEvaluation &evaluation, const Language &language)
@@ -76,28 +83,19 @@ private:
         return counted(
                    REPORT_TEXT_COUNTED("report", "Test NOT in accordance with %1: %n requirement(s) not met"),
                    m_counts.unmet) +
-               notDeclared(m_counts.undeclared);
+               notDeclared(m_counts.undeclared, m_language);
     }
 
     [[nodiscard]] QString notChecked(bool page) const {
         QString result =
             say(REPORT_TEXT("report", "The text of %1 was not available: its requirements were not checked"),
                 {m_standard.toStdString()});
-        result += m_counts.departures == 0
-                      ? m_language.text(REPORT_TEXT("report", "; no departure from practice found"))
-                      : m_language.sentence({REPORT_TEXT_COUNTED("report", "; %n departure(s) from practice"),
-                                             {},
-                                             m_counts.departures});
         const int open = countOpenInPractice(m_evaluation.findings);
-        result += notDeclared(open);
+        result += m_counts.departures == 0
+                      ? m_language.text(REPORT_TEXT("report", "; no departure from practice found")) +
+                            notDeclared(open, m_language)
+                      : m_language.semicolon() + requirementsText(m_evaluation, m_language);
         return m_counts.departures + open > 0 ? result + see(page) : result;
-    }
-
-    [[nodiscard]] QString notDeclared(int count) const {
-        return count == 0
-                   ? QString()
-                   : QStringLiteral(", ") +
-                         m_language.sentence({REPORT_TEXT_COUNTED("report", "%n not declared"), {}, count});
     }
 
     [[nodiscard]] QString partly() const {
@@ -148,6 +146,26 @@ private:
 QString accordanceText(const Test &test, const TestEvaluation &evaluation, const Language &language,
                        bool page) {
     return evaluation.edition ? Sentence(test, evaluation, language).text(page) : QString();
+}
+
+QString requirementsText(const TestEvaluation &evaluation, const Language &language) {
+    const RequirementCounts counts = countRequirements(evaluation.findings);
+    const auto counted = [&](const Text &words, int count, int undeclared) {
+        return language.sentence({words, {}, count}) + notDeclared(undeclared, language);
+    };
+    if (!evaluation.edition || evaluation.edition->textRead == TextRead::none) {
+        const int open = countOpenInPractice(evaluation.findings);
+        return counts.departures + open == 0
+                   ? QString()
+                   : counted(REPORT_TEXT_COUNTED("report", "%n departure(s) from practice"),
+                             counts.departures, open);
+    }
+    if (counts.unmet > 0)
+        return counted(REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), counts.unmet,
+                       counts.undeclared);
+    return counts.undeclared == 0 ? QString()
+                                  : counted(REPORT_TEXT_COUNTED("report", "%n requirement(s) not declared"),
+                                            counts.undeclared, 0);
 }
 
 Text accordanceWords(Accordance accordance) {

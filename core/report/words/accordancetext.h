@@ -16,6 +16,9 @@ namespace palmer {
 [[nodiscard]] QString accordanceText(const Test &test, const TestEvaluation &evaluation,
                                      const Language &language, bool page);
 
+/// The numbers of that sentence: "4 requirements not met, 12 not declared". Empty if there are none.
+[[nodiscard]] QString requirementsText(const TestEvaluation &evaluation, const Language &language);
+
 /// Short form for lists.
 [[nodiscard]] Text accordanceWords(Accordance accordance);
 

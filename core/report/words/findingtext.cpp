@@ -3,6 +3,8 @@
 #include "report/words/findingtext.h"
 
 #include "kernel/evaluation/accordance.h"
+#include "kernel/evaluation/edition.h"
+#include "report/words/accordancetext.h"
 
 #include <QStringList>
 #include <algorithm>
@@ -75,19 +77,26 @@ QString missingStatements(int count, const Language &language) {
     return language.sentence({REPORT_TEXT_COUNTED("report", "%n required statement(s) missing"), {}, count});
 }
 
-CountedFindings countedFindings(std::span<const Finding> findings, const Language &language) {
+CountedFindings countedFindings(const TestEvaluation &evaluation, const Language &language) {
+    const bool wasRead = evaluation.edition && evaluation.edition->textRead != TextRead::none;
     int missing = 0;
-    std::array<int, 3> others{}; // wrong otherwise, by grade
-    for (const Finding &finding : findings)
-        ++(lackOf(finding) == Lack::required ? missing : others.at(static_cast<std::size_t>(finding.grade)));
+    std::array<int, 3> others{}; // by grade; requirements are those of the text, counted above
+    for (const Finding &finding : evaluation.findings) {
+        if (!countsForAccordance(finding, wasRead))
+            ++(lackOf(finding) == Lack::required ? missing
+                                                 : others.at(static_cast<std::size_t>(finding.grade)));
+    }
     QStringList parts;
+    if (QString requirements = requirementsText(evaluation, language); !requirements.isEmpty())
+        parts << std::move(requirements);
     const auto add = [&](const Text &words, int count) {
         if (count > 0)
             parts << language.sentence({words, {}, count});
     };
-    if (missing > 0)
+    if (parts.isEmpty() && missing > 0)
         parts << missingStatements(missing, language);
-    add(REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), others[0]);
+    else
+        add(REPORT_TEXT_COUNTED("report", "%n other required statement(s) missing"), missing);
     add(REPORT_TEXT_COUNTED("report", "%n recommendation(s)"), others[1]);
     const QString between = QStringLiteral(" · ");
     QString lack = parts.join(between);

@@ -23,12 +23,12 @@ namespace palmer {
 /// "7 required statements missing".
 [[nodiscard]] QString missingStatements(int count, const Language &language);
 
-/// How many findings there are, for the window and the report: "7 required statements missing · 1 requirement
-/// not met · 2 notes".
+/// How many findings there are, for the window and the report: "4 requirements not met, 12 not declared · 7
+/// other required statements missing · 2 notes". Begins as the accordance does.
 struct CountedFindings {
     QString lack; ///< without the notes; empty if there is nothing to do
     QString all;  ///< empty if there is no finding
 };
-[[nodiscard]] CountedFindings countedFindings(std::span<const Finding> findings, const Language &language);
+[[nodiscard]] CountedFindings countedFindings(const TestEvaluation &evaluation, const Language &language);
 
 } // namespace palmer

@@ -48,6 +48,7 @@ class AccordanceTest : public QObject {
 private slots:
     void sentences_data();
     void sentences();
+    void findingsCountAsTheSentence();
     void severalTests_data();
     void severalTests();
     void oneLinePerClauseAndState();
@@ -154,6 +155,32 @@ void AccordanceTest::sentences() {
     QCOMPARE(plain(accordanceText(test, evaluation, Language(Language::Id::english), true)), english);
     QCOMPARE(plain(accordanceText(test, evaluation, Language(Language::Id::french), true)), french);
     QVERIFY(!accordanceText(test, evaluation, Language(Language::Id::english), false).contains(u'%'));
+}
+
+/// The number at the end of the findings begins as the sentence of page 1 ends.
+void AccordanceTest::findingsCountAsTheSentence() {
+    for (const char *edition : {"ISO 230-2:1988", "ISO 230-2:2006", "ISO 230-4:2022"}) {
+        const bool wasRead = findEdition(edition)->textRead != TextRead::none;
+        for (const int unmet : {0, 1, 4}) {
+            for (const int undeclared : {0, 1, 12}) {
+                TestEvaluation found = wasRead ? evaluationWith(edition, unmet, undeclared, 3)
+                                               : evaluationWith(edition, 0, 0, unmet);
+                if (!wasRead)
+                    found.findings.insert(found.findings.end(), static_cast<std::size_t>(undeclared),
+                                          {.source = Source::practice, .state = State::undeclared});
+                for (const Language::Id id : {Language::Id::english, Language::Id::french}) {
+                    const Language language(id);
+                    const QString numbers = requirementsText(found, language);
+                    QCOMPARE(numbers.isEmpty(), unmet + undeclared == 0);
+                    if (numbers.isEmpty() || (!wasRead && unmet == 0))
+                        continue;
+                    const QString sentence = accordanceText(Test(), found, language, false);
+                    QVERIFY2(sentence.endsWith(numbers + u'.'), qPrintable(sentence));
+                    QVERIFY(countedFindings(found, language).all.startsWith(numbers));
+                }
+            }
+        }
+    }
 }
 
 void AccordanceTest::severalTests_data() {
