@@ -10771,7 +10771,7 @@
         <translation>θ tenue à ± %1, au pire</translation>
     </message>
     <message>
-        <source>Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error (2006, Annex A), the largest range within a duration T.</source>
+        <source>Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error (2006, Annex A), largest range over a duration T.</source>
         <translation>Interprétation, pas un résultat de l’ISO 230-2. E_VE(T)&#xa0;: erreur de variation environnementale (2006, annexe&#xa0;A), plus grande étendue sur T.</translation>
     </message>
     <message>

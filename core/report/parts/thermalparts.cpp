@@ -149,7 +149,7 @@ Text noResponseText(ResponseState state) {
 Text thermalNature() {
     return REPORT_TEXT(
         "report", "Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error (2006, "
-                  "Annex A), the largest range within a duration T.");
+                  "Annex A), largest range over a duration T.");
 }
 
 bool hasThermalPage(const Test &test) {
