@@ -116,7 +116,7 @@ inline const QRegularExpression &forbiddenBreaks() {
         "([0-9]|[A-Z]([^\\p{L}]|$))"
         "| \\n=|= \\n"
         "|[0-9] \\n(mm|µm|m|nm|h|min|s|%|hPa|K|kg|°C|°C/h|mm/min|m/min|µm/\\(m·°C\\))[,.;:)]*( |$)"
-        "|[0-9] \\n[0-9]{3}([^0-9\\p{L}]|$)"_s,
+        "|[0-9] \\n[0-9]{3}([^0-9\\p{L}-]|$)"_s, // but "Hall 2" and the number "000-004"
         QRegularExpression::UseUnicodePropertiesOption);
     return forbidden;
 }

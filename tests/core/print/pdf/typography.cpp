@@ -96,9 +96,9 @@ QStringList faultsOf(const Report &report) {
             if (k + 1 == page.lines.size())
                 continue;
             const Line &next = page.lines[k + 1];
-            const bool goesOn = std::abs(next.area.left() - line.area.left()) < mm &&
-                                next.area.top() > line.area.top() &&
-                                next.area.top() < line.area.bottom() + 0.5 * line.area.height();
+            const bool goesOn =
+                std::abs(next.area.left() - line.area.left()) < mm && next.area.top() > line.area.top() &&
+                next.area.top() < line.area.bottom() + 0.2 * line.area.height(); // no row of its own
             // not the number of a name, "Hall 2"
             const bool partsCount = line.words.size() > 1 &&
                                     u":;·("_s.contains(line.words.end()[-2].back()) &&
