@@ -10512,8 +10512,8 @@
         <translation>Dérive</translation>
     </message>
     <message>
-        <source>response of %1 to %2</source>
-        <translation>réponse de %1 à %2</translation>
+        <source>response of %1 to “%2”</source>
+        <translation>réponse de %1 à «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Duration of the window T</source>
@@ -10533,8 +10533,8 @@
         <translation>E_VE de %1, tout le relevé</translation>
     </message>
     <message>
-        <source>Ranges of the record</source>
-        <translation>Étendues du relevé</translation>
+        <source>Ranges of the record: %1</source>
+        <translation>Étendues du relevé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Response to the temperature</source>
@@ -10642,8 +10642,8 @@
         <translation>Variation selon la durée</translation>
     </message>
     <message>
-        <source>Range of %1</source>
-        <translation>Étendue de %1</translation>
+        <source>Drift and temperatures</source>
+        <translation>Dérive et températures</translation>
     </message>
     <message>
         <source>%1 or %2? Type one of them</source>
@@ -10771,16 +10771,16 @@
         <translation>θ tenue à ± %1, au pire</translation>
     </message>
     <message>
-        <source>Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error (2006, Annex A), largest range over a duration T.</source>
-        <translation>Interprétation, pas un résultat de l’ISO 230-2. E_VE(T)&#xa0;: erreur de variation environnementale (2006, annexe&#xa0;A), plus grande étendue sur T.</translation>
+        <source>Interpretation, not a result of ISO 230-2. Environmental variation error: largest range over a duration T (2006, Annex A).</source>
+        <translation>Interprétation, pas un résultat de l’ISO 230-2. Erreur de variation environnementale&#xa0;: plus grande étendue sur T (2006, annexe&#xa0;A).</translation>
     </message>
     <message>
-        <source>U of the budget, after the model of ISO 230-2:2006 Annex A, with that E_VE.</source>
-        <translation>U du budget, selon le modèle de l’ISO&#xa0;230-2:2006, annexe&#xa0;A, avec cet E_VE.</translation>
+        <source>U of the budget, after the model of ISO 230-2:2006 Annex A, with that variation.</source>
+        <translation>U du budget, selon le modèle de l’ISO&#xa0;230-2:2006, annexe&#xa0;A, avec cette variation.</translation>
     </message>
     <message>
-        <source>θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) plus E_VE(T) of x − k·y.</source>
-        <translation>θ tenue à ± Δ&#xa0;: au plus 2Δ·|k|·(1 − e^(−T/τ)) plus E_VE(T) de x − k·y.</translation>
+        <source>θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) plus the variation of x&#xa0;−&#xa0;k·y over T.</source>
+        <translation>θ tenue à ± Δ&#xa0;: au plus 2Δ·|k|·(1 − e^(−T/τ)) plus la variation de x&#xa0;−&#xa0;k·y sur T.</translation>
     </message>
     <message>
         <source>x = a + b·t + k·y; τ·dy/dt = θ − y: one time constant, a model of this program. k and b by least squares, τ by a search; intervals of 95 % (Student’s t, degrees of freedom by JCGM 100, G.4) for noise that may be correlated, its spectrum taken from the residuals; shown by an F test. Of several temperatures the one that explains most.</source>

@@ -146,7 +146,8 @@ enum class LineRole {
     instrument,
     air,
     counterclockwise,
-    clockwise
+    clockwise,
+    fitted ///< a model through one of the lines
 };
 
 struct FigureLine {

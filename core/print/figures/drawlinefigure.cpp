@@ -18,7 +18,7 @@ constexpr double rightMargin = 6 * mm;
 FigureRole penRole(LineRole role) {
     return inOrder(role, {FigureRole::upEdge, FigureRole::downEdge, FigureRole::up, FigureRole::down,
                           FigureRole::up, FigureRole::down, FigureRole::mean, FigureRole::counterclockwise,
-                          FigureRole::clockwise});
+                          FigureRole::clockwise, FigureRole::residual});
 }
 
 class LineFigurePainter {

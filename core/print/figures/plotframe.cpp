@@ -12,7 +12,9 @@ TextLine axisTitle(const FigureAxis &axis, const QString &before, const QString 
 }
 
 TextLine axisTitle(const FigureAxis &axis) {
-    return axisTitle(axis, axis.symbol.isEmpty() ? axis.quantity : axis.quantity + QLatin1Char(' '),
+    return axisTitle(axis,
+                     axis.symbol.isEmpty() || axis.quantity.isEmpty() ? axis.quantity
+                                                                      : axis.quantity + QLatin1Char(' '),
                      axis.unit.isEmpty() ? QString() : QStringLiteral(" (") + axis.unit + QLatin1Char(')'));
 }
 

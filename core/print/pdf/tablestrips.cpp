@@ -254,7 +254,8 @@ void addCell(PrintedRow &row, const Cell &cell, const Column &column, const Plac
         const double before = note.mark == Mark::none ? 0 : markWidth;
         if (note.mark != Mark::none)
             row.signs.push_back({note.mark, {}, place.left, {}, false, ink, lines});
-        PlacedText below{TextBlock(note.text, small, place.width - before), place.left + before};
+        PlacedText below{TextBlock(note.text, small, place.width - before), place.left + before,
+                         place.width - before, textAlignment(column.alignment)};
         below.line = lines;
         lines += below.block.lineCount();
         row.texts.push_back(std::move(below));

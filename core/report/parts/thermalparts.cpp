@@ -135,6 +135,34 @@ QString caseName(const DriftCase &one, const Language &language) {
                               {}});
 }
 
+/// The table of responses for half a page: the intervals below their values.
+Table inHalf(Table table) {
+    constexpr std::size_t channel = 0, temperature = 1, k = 2, kInterval = 3, tau = 4, tauInterval = 5,
+                          slope = 6, residual = 7;
+    const auto &all = table.columns;
+    Table half;
+    half.columns = {flexibleColumn(all[channel].title, 16), all[k], all[tau], all[slope], all[residual]};
+    half.columns[1].width = half.columns[2].width = 23; // mm, of an interval
+    half.columns[3].width = half.columns[4].width = 13;
+    for (std::vector<Cell> &row : table.rows) {
+        const auto put = [&row](std::size_t cell, std::size_t note) {
+            if (const QString text = row[note].text.plain(); !text.isEmpty())
+                row[cell].notes.push_back({text});
+        };
+        if (const bool isRefused = row[temperature].columns > 1; isRefused) {
+            row[temperature].columns = half.columns.size() - 1;
+            half.rows.push_back({std::move(row[channel]), std::move(row[temperature])});
+            half.rows.back().resize(half.columns.size(), blankCell());
+            continue;
+        }
+        put(channel, temperature);
+        put(k, kInterval);
+        put(tau, tauInterval);
+        half.rows.push_back({row[channel], row[k], row[tau], row[slope], row[residual]});
+    }
+    return half;
+}
+
 } // namespace
 
 Text noResponseText(ResponseState state) {
@@ -148,8 +176,8 @@ Text noResponseText(ResponseState state) {
 
 Text thermalNature() {
     return REPORT_TEXT(
-        "report", "Interpretation, not a result of ISO 230-2. E_VE(T): environmental variation error (2006, "
-                  "Annex A), largest range over a duration T.");
+        "report", "Interpretation, not a result of ISO 230-2. Environmental variation error: largest range "
+                  "over a duration T (2006, Annex A).");
 }
 
 bool hasThermalPage(const Test &test) {
@@ -178,9 +206,9 @@ LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<Therma
         std::vector<QPointF> points;
         for (std::size_t i = 0; i < response.times.size(); ++i)
             points.emplace_back(response.times[i] * perSecond, response.fitted[i] * scale);
-        figure.lines.push_back({LineRole::predictedDown,
+        figure.lines.push_back({LineRole::fitted,
                                 {},
-                                language.sentence({REPORT_TEXT("report", "response of %1 to %2"),
+                                language.sentence({REPORT_TEXT("report", "response of %1 to “%2”"),
                                                    {channels[*shown].channel.name,
                                                     drift.temperatures[*channels[*shown].best].measures},
                                                    {}}),
@@ -220,11 +248,9 @@ LineFigure variationFigure(const DriftMeasurement &drift, const Language &langua
     constexpr int steps = 60;
     const std::vector<DriftChannel> channels = channelsOf(drift);
     const Quantity quantity = channels.empty() ? Quantity::deviation : quantityOf(channels.front());
-    LineFigure figure =
-        overTime(drift, REPORT_TEXT("report", "Variation over the duration"),
-                 REPORT_TEXT("report", "Environmental variation E_VE"), language.unit(quantity), language);
+    LineFigure figure = overTime(drift, REPORT_TEXT("report", "Variation over the duration"), {},
+                                 language.unit(quantity), language);
     figure.x.quantity = language.text(REPORT_TEXT("report", "Duration of the window T"));
-    figure.y.quantity.chop(5); // " E_VE", drawn with its subscript
     figure.y.symbol = QStringLiteral("E");
     figure.y.subscript = QStringLiteral("VE");
     const double lasts = drift.times.empty() ? 0 : drift.times.back() - drift.times.front();
@@ -336,11 +362,12 @@ Table driftCaseTable(const DriftCases &cases, bool angular, const Language &lang
 }
 
 QString driftCaseNote(const DriftCases &cases, const Language &language) {
-    QString note = language.text(
-        REPORT_TEXT("report", "U of the budget, after the model of ISO 230-2:2006 Annex A, with that E_VE."));
+    QString note = language.text(REPORT_TEXT(
+        "report", "U of the budget, after the model of ISO 230-2:2006 Annex A, with that variation."));
     if (std::ranges::any_of(cases.cases, [](const DriftCase &one) { return one.kind == DriftCase::held; }))
-        note += u' ' + language.text(REPORT_TEXT("report", "θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) "
-                                                           "plus E_VE(T) of x − k·y."));
+        note +=
+            u' ' + language.text(REPORT_TEXT("report", "θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) "
+                                                       "plus the variation of x − k·y over T."));
     return note;
 }
 
@@ -377,32 +404,37 @@ std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t
     const auto named = std::ranges::find(channels, drift.axis.name,
                                          [](const ThermalChannel &one) { return one.channel.name; });
     const auto shown = static_cast<std::size_t>(named == channels.end() ? 0 : named - channels.begin());
-    const auto addFigure = [&](LineFigure figure, double height) {
-        addHeading(blocks, figure.title);
-        blocks.emplace_back(FigureBlock{std::move(figure), textWidth, height});
-    };
-    constexpr double driftHeight = 62; // mm
-    constexpr double temperatureHeight = 40;
-    constexpr double half = 83;
-    addFigure(channelFigure(drift, channels, shown, language), driftHeight);
-    if (!drift.temperatures.empty())
-        addFigure(temperatureFigure(drift, language), temperatureHeight);
-    KeyValues ranges;
-    for (const ThermalChannel &one : channels) {
-        ranges.rows.push_back(
-            {write.say(REPORT_TEXT("report", "Range of %1"), {one.channel.name}),
-             one.whole ? write.quantity(one.whole->value, quantityOf(one.channel), 1) : QString()});
-    }
-    ranges.labelWidth = 50;
-    LineFigure variation = variationFigure(drift, language);
-    const Heading heading{2, variation.title};
+    constexpr double driftHeight = 42; // mm
+    constexpr double temperatureHeight = 28;
+    constexpr double half = 80;
+    const bool hasTemperatures = !drift.temperatures.empty();
+    addHeading(blocks, write.text(hasTemperatures ? REPORT_TEXT("report", "Drift and temperatures")
+                                                  : REPORT_TEXT("report", "Drift")));
     blocks.emplace_back(
-        SideBySide{{heading, FigureBlock{std::move(variation), half, driftHeight}},
-                   {Heading{2, write.text(REPORT_TEXT("report", "Ranges of the record"))}, ranges}});
-    if (!drift.temperatures.empty()) {
-        addHeading(blocks, write.text(REPORT_TEXT("report", "Response to the temperature")));
-        blocks.emplace_back(responseTable(drift, channels, language));
+        FigureBlock{channelFigure(drift, channels, shown, language), textWidth, driftHeight, driftHeight});
+    if (hasTemperatures)
+        blocks.emplace_back(
+            FigureBlock{temperatureFigure(drift, language), textWidth, temperatureHeight, temperatureHeight});
+    QStringList ranges;
+    for (const ThermalChannel &one : channels) {
+        if (one.whole)
+            ranges << QString::fromStdString(one.channel.name) + u' ' +
+                          write.quantity(one.whole->value, quantityOf(one.channel), 1);
     }
+    LineFigure variation = variationFigure(drift, language);
+    std::vector<Part> left{Heading{2, variation.title}};
+    left.emplace_back(FigureBlock{std::move(variation), half, driftHeight, driftHeight});
+    std::vector<Part> right;
+    if (hasTemperatures) {
+        right.emplace_back(Heading{2, write.text(REPORT_TEXT("report", "Response to the temperature")),
+                                   QStringLiteral("95\u00A0%")});
+        right.emplace_back(inHalf(responseTable(drift, channels, language)));
+    }
+    if (!ranges.isEmpty())
+        right.emplace_back(Paragraph{write.say(REPORT_TEXT("report", "Ranges of the record: %1"),
+                                               {ranges.join(language.semicolon()).toStdString()}),
+                                     TextSize::small});
+    blocks.emplace_back(SideBySide{std::move(left), std::move(right), half});
     for (const std::size_t user : testsTaking(*evaluated.document, evaluated.document->tests[test]->id)) {
         const DriftCases cases = driftCases(evaluated, user);
         if (cases.cases.empty())

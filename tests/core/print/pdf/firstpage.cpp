@@ -96,6 +96,7 @@ private slots:
     void certificatesHaveTwoPages_data();
     void certificatesHaveTwoPages();
     void aComparisonHasOnePage();
+    void thermalBehaviourHasOnePage();
     void aLongHeadKeepsTheVerdict();
     void resultsStandBeforeAFigureWithoutRoom();
 };
@@ -231,6 +232,23 @@ void FirstPageTest::aComparisonHasOnePage() {
         QVERIFY(head >= 0);
         QCOMPARE(pageOf(french ? u"bidirectionnel ± U"_s : u"bi-directional ± U"_s, pages, head), head);
         QCOMPARE(pageOf(french ? u"Énoncé"_s : u"Statement"_s, pages, head), head);
+    }
+}
+
+void FirstPageTest::thermalBehaviourHasOnePage() {
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        const bool french = language == Language::Id::french;
+        QStringList pages;
+        for (const QString &page :
+             pageTexts(pdfOf(reportOf(storedDocument(u"thermal-behaviour"_s), language))))
+            pages << squeezed(page);
+        const qsizetype head =
+            pageOf(french ? u"Dérive et températures"_s : u"Drift and temperatures"_s, pages);
+        QVERIFY(head >= 0);
+        for (const QString &part : {french ? u"Étendues du relevé"_s : u"Ranges of the record"_s,
+                                    french ? u"Ce que la dérive explique"_s : u"What the drift explains"_s,
+                                    french ? u"Fin du rapport"_s : u"End of the report"_s})
+            QCOMPARE(pageOf(part, pages, head), head);
     }
 }
 
