@@ -9917,8 +9917,8 @@
         <translation>type&#xa0;: loi de la limite de tolérance retenue&#x202f;; les deux sont affichées</translation>
     </message>
     <message>
-        <source>Type test of %1: %2, axis or plane %3</source>
-        <translation>Essai de type de %1&#xa0;: %2, axe ou plan %3</translation>
+        <source>Type test of %1: %2 of %3</source>
+        <translation>Essai de type de %1&#xa0;: %2 de %3</translation>
     </message>
     <message>
         <source>Interpretation, not a result of ISO 230-2 or ISO 230-4. The machines are those in the register, no random sample.</source>

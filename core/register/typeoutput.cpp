@@ -88,7 +88,7 @@ public:
         report.language = m_language.code();
         const ListedMachine machine =
             m_test.members.empty() ? ListedMachine() : m_test.members.front().machine;
-        report.title = say(REPORT_TEXT("report", "Type test of %1: %2, axis or plane %3"),
+        report.title = say(REPORT_TEXT("report", "Type test of %1: %2 of %3"),
                            {(machine.manufacturer + u' ' + machine.model).trimmed().toStdString(),
                             plainSymbolOf(m_test.parameter).toStdString(), m_test.axis});
         report.blocks.emplace_back(Heading{2, report.title});
@@ -122,7 +122,7 @@ public:
     }
 
     void addFigures(Report &report) const {
-        constexpr double quantileHeight = 62; // mm, like those below
+        constexpr double quantileHeight = 54; // mm, like those below
         constexpr double rowOfDots = 5.6;
         constexpr double aroundDots = 26; // scale and legend
         constexpr double mostDots = 200;
@@ -144,6 +144,7 @@ public:
             return {std::move(heading), FigureBlock{std::move(figure), half, quantileHeight}};
         };
         report.blocks.emplace_back(SideBySide{part(false), part(true)});
+        report.blocks.emplace_back(Heading{2, m_language.text(REPORT_TEXT("report", "Machines"))});
     }
 
 private:
@@ -168,6 +169,7 @@ private:
 
     [[nodiscard]] KeyValues facts() const {
         KeyValues result;
+        result.labelWidth = 60; // mm
         const auto add = [&](const Text &key, const QString &text) {
             result.rows.push_back({m_language.text(key), text});
         };
@@ -206,12 +208,17 @@ private:
     [[nodiscard]] Table members() const {
         Table table;
         const QString unit = m_language.unit(m_quantity);
-        table.columns = {{m_language.text(REPORT_TEXT("report", "Machine")), {}, Alignment::left, true},
-                         {m_language.text(REPORT_TEXT("report", "Date"))},
-                         {plainSymbolOf(m_test.parameter), unit, Alignment::decimal},
-                         {QStringLiteral("U"), unit, Alignment::decimal},
-                         {m_language.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal},
-                         {m_language.text(REPORT_TEXT("report", "Normal score")), {}, Alignment::decimal}};
+        constexpr double name = 60; // mm
+        constexpr double number = 22;
+        const auto numbers = [&](const QString &title, const QString &in) {
+            return columnOf(title, number, Alignment::decimal, in);
+        };
+        table.columns = {flexibleColumn(m_language.text(REPORT_TEXT("report", "Machine")), name),
+                         columnOf(m_language.text(REPORT_TEXT("report", "Date")), 1.3 * number),
+                         numbers(plainSymbolOf(m_test.parameter), unit),
+                         numbers(QStringLiteral("U"), unit),
+                         numbers(m_language.text(REPORT_TEXT("report", "Limit")), unit),
+                         numbers(m_language.text(REPORT_TEXT("report", "Normal score")), {})};
         for (std::size_t i = 0; i < m_test.members.size(); ++i) {
             const TypeMember &member = m_test.members[i];
             const ShownValue shown = shownResult(member.result, m_test.angular, m_language);
