@@ -81,8 +81,8 @@ private:
         }
     }
 
-    static void begin(void *data, const xmlChar *name, const xmlChar *, const xmlChar *, int, const xmlChar **,
-                      int count, int, const xmlChar **attributes) {
+    static void begin(void *data, const xmlChar *name, const xmlChar *, const xmlChar *, int,
+                      const xmlChar **, int count, int, const xmlChar **attributes) {
         auto &self = *static_cast<XmlParser *>(data);
         self.call([&] {
             constexpr int deepest = 64;

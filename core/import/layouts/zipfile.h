@@ -24,7 +24,8 @@ inline std::string_view inChars(const unsigned char *name) {
 
 /// Start of an element; names without prefixes. Valid during the call of the handler.
 struct XmlElement {
-    /// A name, the prefix and address of its namespace, and where its value begins and ends, as libxml2 has them.
+    /// A name, the prefix and address of its namespace, and where its value begins and ends, as libxml2 has
+    /// them.
     using Attribute = std::array<const unsigned char *, 5>;
 
     std::string_view name;

@@ -365,9 +365,8 @@ QString driftCaseNote(const DriftCases &cases, const Language &language) {
     QString note = language.text(REPORT_TEXT(
         "report", "U of the budget, after the model of ISO 230-2:2006 Annex A, with that variation."));
     if (std::ranges::any_of(cases.cases, [](const DriftCase &one) { return one.kind == DriftCase::held; }))
-        note +=
-            u' ' + language.text(REPORT_TEXT("report", "θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) "
-                                                       "plus the variation of x − k·y over T."));
+        note += u' ' + language.text(REPORT_TEXT("report", "θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) "
+                                                           "plus the variation of x − k·y over T."));
     return note;
 }
 
