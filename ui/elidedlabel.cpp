@@ -38,11 +38,13 @@ void ElidedLabel::setSeparator(const QString &separator) {
 QString ElidedLabel::shownText() const {
     const QFontMetrics metrics = fontMetrics();
     if (!m_separator.isEmpty() && metrics.horizontalAdvance(text()) > width()) {
-        for (qsizetype end = text().lastIndexOf(m_separator); end > 0;
-             end = text().lastIndexOf(m_separator, end - 1)) {
-            QString shown = text().first(end) + QStringLiteral(" …");
-            if (metrics.horizontalAdvance(shown) <= width())
-                return shown;
+        for (const QString &separator : {m_separator, QStringLiteral(", ")}) {
+            for (qsizetype end = text().lastIndexOf(separator); end > 0;
+                 end = text().lastIndexOf(separator, end - 1)) {
+                QString shown = text().first(end) + QStringLiteral(" …");
+                if (metrics.horizontalAdvance(shown) <= width())
+                    return shown;
+            }
         }
         return {};
     }

@@ -26,7 +26,8 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget *parent = nullptr);
 
-    /// Text parts between this separator are left out whole, from the last, if they do not fit.
+    /// Text parts between this separator, then those between commas, are left out whole, from the last, if
+    /// they do not fit.
     void setSeparator(const QString &separator);
     [[nodiscard]] QString shownText() const;
 

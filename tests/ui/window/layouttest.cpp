@@ -495,7 +495,7 @@ void LayoutTest::headsAreNotCutInAWord() {
         if (said != whole) {
             QVERIFY2(said.endsWith(u" …"_s), qPrintable(said));
             said.chop(2);
-            QVERIFY2(whole.startsWith(said + u" · "_s), qPrintable(said));
+            QVERIFY2(whole.startsWith(said + u" · "_s) || whole.startsWith(said + u", "_s), qPrintable(said));
         }
     }
 }
