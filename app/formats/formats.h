@@ -15,7 +15,7 @@ namespace palmer {
 /// are not linked with them: formatsmodule.cpp and pagesmodule.cpp are libraries of their own, which
 /// loadedformats.cpp loads on the first call. Writing a report needs no poppler. Tests are linked directly.
 struct Formats {
-    const char *version; ///< of the program the library belongs to
+    const char *version = nullptr; ///< of the program the library belongs to
     decltype(&palmer::sha256) sha256 = nullptr;
     decltype(&palmer::openZip) openZip = nullptr;
     decltype(&palmer::pdfParts) pdfParts = nullptr;

@@ -259,6 +259,13 @@ void addWords(std::string &heading, std::string_view words) {
     heading += (heading.empty() ? "" : " ") + plain;
 }
 
+/// A cell of a heading; in a row of units a unit in brackets.
+std::string headingOf(std::string_view text, bool hasUnits, bool isBelow) {
+    const bool isUnit =
+        hasUnits && (isUnitInBrackets(text) || (isBelow && !saysUnit(text) && couldBeUnit(text)));
+    return isUnit ? '(' + std::string(text) + ')' : std::string(text);
+}
+
 /// Joins the heading rows downwards.
 void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &rows,
                      std::vector<TableColumn> &columns) {
@@ -282,9 +289,7 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
                 text = last;
             if (isGroup)
                 addWords(columns[c].group, text);
-            const bool isUnit =
-                hasUnits && (isUnitInBrackets(text) || (isBelow && !saysUnit(text) && couldBeUnit(text)));
-            addWords(columns[c].heading, isUnit ? '(' + std::string(text) + ')' : text);
+            addWords(columns[c].heading, headingOf(text, hasUnits, isBelow));
         }
     }
 }

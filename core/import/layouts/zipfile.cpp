@@ -88,9 +88,10 @@ private:
             constexpr int deepest = 64;
             if (++self.m_depth > deepest)
                 self.refuse();
-            self.m_handler.begin({inChars(name),
-                                  {reinterpret_cast<const XmlElement::Attribute *>(attributes),
-                                   static_cast<std::size_t>(count)}});
+            self.m_handler.begin(
+                {inChars(name),
+                 {static_cast<const XmlElement::Attribute *>(static_cast<const void *>(attributes)),
+                  static_cast<std::size_t>(count)}});
         });
     }
     static void end(void *data, const xmlChar *name, const xmlChar *, const xmlChar *) {

@@ -13,13 +13,16 @@
 
 namespace palmer {
 
+inline const char *asChars(const unsigned char *text) {
+    return static_cast<const char *>(static_cast<const void *>(text));
+}
 inline std::string_view inChars(const unsigned char *text, std::ptrdiff_t size) {
-    return {reinterpret_cast<const char *>(text), static_cast<std::size_t>(size)};
+    return {asChars(text), static_cast<std::size_t>(size)};
 }
 inline std::string_view inChars(const unsigned char *name) {
     if (name[0] != 0 && name[1] == 0) // most names in sheets
         return inChars(name, 1);
-    return reinterpret_cast<const char *>(name);
+    return asChars(name);
 }
 
 /// Start of an element; names without prefixes. Valid during the call of the handler.
