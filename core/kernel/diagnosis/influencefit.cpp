@@ -171,7 +171,7 @@ private:
         Peak best;
         const std::vector<double> scores = scan.explained();
         while (m_noise.size() < scores.size()) // the same of both axes
-            m_noise.push_back(noiseOf(fit, m_radius / PitchScan::periods(m_noise.size()) / m_radius));
+            m_noise.push_back(noiseOf(fit, 1 / PitchScan::periods(m_noise.size())));
         for (std::size_t k = 1; k + 1 < scores.size(); ++k) {
             const double pitch = m_radius / PitchScan::periods(k);
             const double noise = m_noise[k];

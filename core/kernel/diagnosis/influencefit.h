@@ -14,6 +14,7 @@ constexpr double leastAmplitude = 2e-5; ///< mm: no circular test instrument res
 /// The columns of a diagnosis fitted to its rows, with the noise derived from the residual.
 struct InfluenceFit {
     InfluenceFit(const PathRows &rows, std::vector<FitTerm> fitted);
+    /// `columns`: the fit of these terms, if it is made already.
     InfluenceFit(const PathRows &rows, std::vector<FitTerm> fitted, ColumnFit columns);
 
     [[nodiscard]] double factor(std::size_t term) const { return fit.coefficient(Eigen::Index(term)); }

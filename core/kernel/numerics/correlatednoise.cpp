@@ -268,7 +268,7 @@ void CorrelatedNoise::judge(const Spectrum &spectrum) {
         if (spectrum.left[f] < least)
             continue;
         ++count;
-        // The chance grows with what is left, so that of `least` tells most that are not the least chance.
+        // The chance grows with what is left: with `least`, χ² of one degree of freedom, it is smallest.
         if (std::erfc(std::sqrt(ratio[f])) > m_judgement.line)
             continue;
         const double chance = chiSquareExceeded(2 * ratio[f], 2 * spectrum.left[f]);

@@ -95,8 +95,8 @@ private slots:
     void aTestOf11TargetsHasFourPages();
     void certificatesHaveTwoPages_data();
     void certificatesHaveTwoPages();
-    void aComparisonHasOnePage();
-    void thermalBehaviourHasOnePage();
+    void purposesHaveOnePage_data();
+    void purposesHaveOnePage();
     void aLongHeadKeepsTheVerdict();
     void resultsStandBeforeAFigureWithoutRoom();
 };
@@ -219,37 +219,40 @@ void FirstPageTest::certificatesHaveTwoPages() {
     }
 }
 
-/// From its head to the curves, on A4.
-void FirstPageTest::aComparisonHasOnePage() {
-    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
-        const bool french = language == Language::Id::french;
-        QStringList pages;
-        for (const QString &page :
-             pageTexts(pdfOf(reportOf(storedDocument(u"x-axis-as-found-as-left"_s), language))))
-            pages << squeezed(page);
-        const qsizetype head =
-            pageOf(french ? u"Comparaison de deux essais"_s : u"Comparison of two tests"_s, pages);
-        QVERIFY(head >= 0);
-        QCOMPARE(pageOf(french ? u"bidirectionnel ± U"_s : u"bi-directional ± U"_s, pages, head), head);
-        QCOMPARE(pageOf(french ? u"Énoncé"_s : u"Statement"_s, pages, head), head);
-    }
+void FirstPageTest::purposesHaveOnePage_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<Language::Id>("language");
+    QTest::addColumn<QStringList>("parts"); // from the head to the last
+    const auto english = Language::Id::english;
+    const auto french = Language::Id::french;
+    const QString both = u"x-axis-as-found-as-left"_s;
+    QTest::newRow("comparison") << both << english
+                                << QStringList{u"Comparison of two tests"_s, u"bi-directional ± U"_s,
+                                               u"Statement"_s};
+    QTest::newRow("comparison, French")
+        << both << french
+        << QStringList{u"Comparaison de deux essais"_s, u"bidirectionnel ± U"_s, u"Énoncé"_s};
+    const QString thermal = u"thermal-behaviour"_s;
+    QTest::newRow("thermal") << thermal << english
+                             << QStringList{u"Drift and temperatures"_s, u"Ranges of the record"_s,
+                                            u"What the drift explains"_s, u"End of the report"_s};
+    QTest::newRow("thermal, French") << thermal << french
+                                     << QStringList{u"Dérive et températures"_s, u"Étendues du relevé"_s,
+                                                    u"Ce que la dérive explique"_s, u"Fin du rapport"_s};
 }
 
-void FirstPageTest::thermalBehaviourHasOnePage() {
-    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
-        const bool french = language == Language::Id::french;
-        QStringList pages;
-        for (const QString &page :
-             pageTexts(pdfOf(reportOf(storedDocument(u"thermal-behaviour"_s), language))))
-            pages << squeezed(page);
-        const qsizetype head =
-            pageOf(french ? u"Dérive et températures"_s : u"Drift and temperatures"_s, pages);
-        QVERIFY(head >= 0);
-        for (const QString &part : {french ? u"Étendues du relevé"_s : u"Ranges of the record"_s,
-                                    french ? u"Ce que la dérive explique"_s : u"What the drift explains"_s,
-                                    french ? u"Fin du rapport"_s : u"End of the report"_s})
-            QCOMPARE(pageOf(part, pages, head), head);
-    }
+/// On A4.
+void FirstPageTest::purposesHaveOnePage() {
+    QFETCH(const QString, name);
+    QFETCH(const Language::Id, language);
+    QFETCH(const QStringList, parts);
+    QStringList pages;
+    for (const QString &page : pageTexts(pdfOf(reportOf(storedDocument(name), language))))
+        pages << squeezed(page);
+    const qsizetype head = pageOf(parts.front(), pages);
+    QVERIFY(head >= 0);
+    for (const QString &part : parts)
+        QCOMPARE(pageOf(part, pages, head), head);
 }
 
 /// With more head than leaves room for results: the verdict is not carried away with them.
