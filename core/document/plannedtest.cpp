@@ -5,6 +5,7 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/positioningcase.h"
 #include "kernel/measurement/testfacts.h"
+#include "kernel/numerics/poweroften.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,7 +120,7 @@ std::optional<PlanOfTest> planOf(const Test &test) {
     request.travel = plan.targets.back() - request.from;
     constexpr int mostDecimals = 9;
     const auto isExact = [&request](double target) {
-        const double steps = target * std::pow(10.0, request.decimals);
+        const double steps = target * powerOfTen(request.decimals);
         constexpr double noise = 1e-5; // of a step
         return std::abs(steps - std::round(steps)) < noise;
     };

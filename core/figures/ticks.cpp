@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/ticks.h"
 
+#include "kernel/numerics/poweroften.h"
+
 #include <array>
 #include <cmath>
 
@@ -13,7 +15,7 @@ namespace {
 constexpr double tolerance = 1 + 1e-9;
 
 double decimalStep(double least, bool quarters) {
-    const double decade = std::pow(10.0, std::floor(std::log10(least)));
+    const double decade = powerOfTen(static_cast<int>(std::floor(std::log10(least))));
     for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
         if (factor == 2.5 && !quarters)
             continue;
@@ -69,7 +71,7 @@ double scaleEnd(double size) {
     if (!(size > 0) || !std::isfinite(size))
         return 1;
     constexpr std::array steps{1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
-    const double power = std::pow(10.0, std::floor(std::log10(size)));
+    const double power = powerOfTen(static_cast<int>(std::floor(std::log10(size))));
     for (const double step : steps) {
         if (step * power >= size)
             return step * power;

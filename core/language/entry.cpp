@@ -23,7 +23,7 @@ constexpr Text notAscending = REPORT_TEXT("report", "the first number is not the
 constexpr Text notADate = REPORT_TEXT("report", "not a date such as 2026-03-12, 12.03.2026 or 12 March 2026");
 constexpr Text notATime = REPORT_TEXT("report", "not a time");
 
-constexpr Text powerOfTen = REPORT_TEXT("report", "a power of ten: type all digits");
+constexpr Text withExponent = REPORT_TEXT("report", "a power of ten: type all digits");
 
 /// "1e99", "2.5E-3": a number as programs write it.
 bool isWithExponent(QStringView text) {
@@ -109,7 +109,7 @@ NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUni
         else if (c == u'+' && plain.empty())
             continue;
         else if (!c.isSpace())
-            return refused(isWithExponent(trimmed) ? powerOfTen : notANumber);
+            return refused(isWithExponent(trimmed) ? withExponent : notANumber);
     }
     if (commas + points > 1)
         return refused(commas > 0 && points > 0 ? REPORT_TEXT("report", "comma and point in one number")

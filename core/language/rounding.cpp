@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language/rounding.h"
 
+#include "kernel/numerics/poweroften.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -109,7 +111,7 @@ Decimal Decimal::uncertaintyTo(int decimals) const {
         double sum = 0;
         for (auto digit = number.m_digits.rbegin(); digit != number.m_digits.rend(); ++digit)
             sum = (sum + (*digit - '0')) / 10;
-        return sum * std::pow(10.0, number.m_point - point);
+        return sum * powerOfTen(number.m_point - point);
     };
     if (result.m_digits.empty() ? !m_digits.empty()
                                 : 20 * fraction(result, m_point) < 19 * fraction(*this, m_point)) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language/units.h"
 
+#include "kernel/numerics/poweroften.h"
+
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -75,7 +77,7 @@ ShownUnit shownUnit(Quantity quantity, const DisplayUnits &units) {
 
 double unitScale(Quantity quantity, const DisplayUnits &units) {
     const ShownUnit unit = shownUnit(quantity, units);
-    return std::pow(10.0, unit.shift) * unit.factor;
+    return powerOfTen(unit.shift) * unit.factor;
 }
 
 double fromShown(std::string_view decimal, Quantity quantity, const DisplayUnits &units) {

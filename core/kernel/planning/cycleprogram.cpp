@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/planning/cycleprogram.h"
 
+#include "kernel/numerics/poweroften.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +20,7 @@ CycleProgram programOf(const PlannedMeasurement &planned, CycleProgram program) 
 
 double turningPoint(const CycleProgram &program, double target, Direction approach) {
     constexpr double noise = 1e-6; // in steps: 0.1 as a double is not a whole number of hundredths
-    const double steps = std::pow(10.0, program.decimals);
+    const double steps = powerOfTen(program.decimals);
     const double beyond = std::max(std::ceil(program.approach * steps - noise), 1.0);
     const double from = std::round(target * steps);
     return (approach == Direction::positive ? from - beyond : from + beyond) / steps;

@@ -5,6 +5,7 @@
 #include "kernel/evaluation/iso230_2/targetrules.h"
 #include "kernel/evaluation/positioningcase.h"
 #include "kernel/numerics/angles.h"
+#include "kernel/numerics/poweroften.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ std::size_t numberOfTargets(const TargetRequest &request) {
 
 /// Rounds to the resolution and keeps the result inside [low, high].
 double rounded(double position, double low, double high, int decimals) {
-    const double scale = std::pow(10.0, decimals);
+    const double scale = powerOfTen(decimals);
     double steps = std::round(std::clamp(position, low, high) * scale);
     if (steps / scale > high)
         steps = std::floor(high * scale + 1e-9);
@@ -132,7 +133,7 @@ int approaches(const TargetRequest &request, const TargetPlan &plan) {
         return 5;
     // pitches: up to one before the first target, two after the last
     const double lost = (byPitches(request, plan) ? 3 : 4) * plan.randomPart;
-    const double rounding = 2 * std::pow(10.0, -request.decimals);
+    const double rounding = 2 * powerOfTen(-request.decimals);
     const double judged = std::max(request.axisTravel.value_or(0), request.travel - lost - rounding);
     return judged > longestShort(request.motion) ? 1 : 5;
 }
@@ -227,7 +228,7 @@ std::vector<PlannedMeasurement> planMeasurements(TargetRequest request, std::opt
         return {};
     if (result.front().plan.runs != 1)
         return result;
-    const double scale = std::pow(10.0, request.decimals);
+    const double scale = powerOfTen(request.decimals);
     const double length = longestShort(request.motion);
     const double middle = request.from + request.travel / 2;
     const double begin = std::round((middle - length / 2) * scale) / scale;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/uncertainty/simulation.h"
 
+#include "kernel/numerics/poweroften.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,7 @@ static_assert(fewestDecidingTrials >= 1e4 / (1 - coverageProbability) &&
 double numericalTolerance(double size) {
     if (!(size > 0))
         return 0;
-    const double secondDigit = std::pow(10.0, std::floor(std::log10(size)) - 1);
+    const double secondDigit = powerOfTen(static_cast<int>(std::floor(std::log10(size))) - 1);
     return secondDigit / 2;
 }
 

@@ -7,6 +7,7 @@
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "kernel/numerics/poweroften.h"
 #include "language/rounding.h"
 #include "report/explanations/arithmetic.h"
 #include "report/explanations/circularexplanation.h"
@@ -223,7 +224,7 @@ private:
 
     /// Compares term by term (brackets or candidates) if both sides have as many, otherwise the values.
     [[nodiscard]] static bool comesTo(const Calculation &left, const Calculation &right, int decimals) {
-        const double half = (0.5 + 1e-6) * std::pow(10.0, -decimals);
+        const double half = (0.5 + 1e-6) * powerOfTen(-decimals);
         const auto equal = [half](double a, double b) { return std::abs(a - b) <= half; };
         return left.isGrouped && left.terms.size() == right.terms.size()
                    ? std::ranges::equal(left.terms, right.terms, equal)

@@ -4,6 +4,7 @@
 
 #include "kernel/diagnosis/sourcewords.h"
 #include "kernel/diagnosis/traces.h"
+#include "kernel/numerics/poweroften.h"
 
 #include <algorithm>
 #include <array>
@@ -85,7 +86,7 @@ private:
     void setNumbers(DiagnosisRow &row, double value, double u, std::optional<double> half) const {
         const int decimals = decimalsOfEstimate(half.value_or(2 * u));
         row.value = m_language.number(value, row.quantity, decimals);
-        const double last = std::pow(10.0, -decimals);
+        const double last = powerOfTen(-decimals);
         if (half)
             row.expanded = *half < last / 2
                                ? QStringLiteral("<\u00A0") + m_language.number(last, row.quantity, decimals)

@@ -3,6 +3,7 @@
 #include "report/words/printednumbers.h"
 
 #include "kernel/evaluation/conformity.h"
+#include "kernel/numerics/poweroften.h"
 #include "language/rounding.h"
 #include "report/words/wording.h"
 
@@ -140,11 +141,11 @@ QString withUnit(const QString &number, Quantity quantity, const Language &langu
 }
 
 QString significant(double size, int digits, int finest, const Language &language) {
-    const double smallest = std::pow(10, -finest);
+    const double smallest = powerOfTen(-finest);
     if (size < smallest)
         return u'<' + language.number(smallest, Quantity::number, finest);
     const auto placeOfFirst = [](double number) { return static_cast<int>(std::floor(std::log10(number))); };
-    const double last = std::max(std::pow(10, placeOfFirst(size) - digits + 1), smallest);
+    const double last = std::max(powerOfTen(placeOfFirst(size) - digits + 1), smallest);
     const double rounded = std::round(size / last) * last;
     constexpr double noRounding = 1 + 1e-9; // 9.96 becomes 10, one digit more
     const int decimals = digits - 1 - placeOfFirst(rounded * noRounding);
