@@ -3,17 +3,13 @@
 #pragma once
 
 #include "language/language.h"
+#include "system/process.h"
 
 namespace palmer {
 
-/// Language of the locale: the first of these variables that is set, as in POSIX.
 inline Language languageOfLocale() {
-    for (const char *variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-        const QString locale = qEnvironmentVariable(variable);
-        if (!locale.isEmpty())
-            return Language::fromLocale(locale);
-    }
-    return Language(Language::Id::english);
+    const QString locale = localeOfUser();
+    return locale.isEmpty() ? Language(Language::Id::english) : Language::fromLocale(locale);
 }
 
 } // namespace palmer

@@ -4,18 +4,16 @@
 #include "commandline/help.h"
 #include "commandline/streams.h"
 #include "commandline/terminal.h"
-#include "document/filename.h"
 #include "languageoflocale.h"
 #include "ownfonts.h"
+#include "system/process.h"
+#include "system/streams.h"
 
 #include <QGuiApplication>
 #include <QHashFunctions>
 #include <algorithm>
-#include <csignal>
-#include <fcntl.h>
 #include <memory>
 #include <new>
-#include <unistd.h>
 
 namespace {
 
@@ -111,29 +109,16 @@ std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char 
     return std::make_unique<QGuiApplication>(count, argv);
 }
 
-/// If the caller closed a standard stream, the next opened file would get its number and be read or written
-/// as that stream. Opens streams that fail on every access instead.
-void keepClosedStreamsClosed() {
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        // NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): POSIX
-        if (::fcntl(stream, F_GETFD) < 0)
-            static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
-        // NOLINTEND(cppcoreguidelines-pro-type-vararg)
-    }
-}
-
 } // namespace
 
 int main(int argc, char *argv[]) {
-    keepClosedStreamsClosed();
+    prepareStreams();
     QHashSeed::setDeterministicGlobalSeed(); // otherwise PDFs would differ
-    std::signal(SIGXFSZ, SIG_IGN);           // report a file over its size limit as an error
+    reportFilesTooLarge();
     const Language ofLocale = languageOfLocale();
     // Qt requires UTF-8 and would warn on stderr about any other locale.
     qputenv("LC_ALL", "C.UTF-8");
-    QStringList words;
-    for (int i = 1; i < argc; ++i)
-        words << fileNameOf(argv[i]);
+    const QStringList words = wordsOf(argc, argv);
     static_cast<void>(terminalColumns()); // before standard output is redirected
     const Language language = chosenLanguage(words).value_or(ofLocale);
     try {

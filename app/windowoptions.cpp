@@ -6,6 +6,7 @@
 #include "languageoflocale.h"
 #include "manualpage.h"
 #include "report/blocks/plaintext.h"
+#include "system/process.h"
 
 #include <algorithm>
 #include <array>
@@ -99,18 +100,11 @@ QString manual(const Language &language) {
 
 /// True if the environment indicates a screen for the window.
 bool hasDisplay(const QStringList &words) {
-#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
-    const auto isSet = [](const char *name) { return !qEnvironmentVariableIsEmpty(name); };
     const auto choosesPlatform = [](const QString &word) {
         constexpr std::array<const char *, 2> choosing{"platform", "display"};
         return isOption(word) && isOneOf(choosing, word);
     };
-    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM") ||
-           std::ranges::any_of(words, choosesPlatform);
-#else
-    static_cast<void>(words);
-    return true;
-#endif
+    return hasScreen() || std::ranges::any_of(words, choosesPlatform);
 }
 
 } // namespace

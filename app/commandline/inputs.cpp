@@ -5,10 +5,10 @@
 #include "commandline/optionvalues.h"
 #include "commandline/preparation.h"
 #include "commandline/streams.h"
-#include "document/filename.h"
 #include "document/readdocument.h"
 #include "proof/readreportpdf.h"
 #include "report/attachedfile.h"
+#include "system/filename.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -39,8 +39,8 @@ public:
         : m_folder(folder)
         , m_which(which) {
         if (!output.isEmpty())
-            m_output = realPath(nativeFileName(output).toStdString());
-        walk(fs::path(nativeFileName(folder).toStdString()), {});
+            m_output = realPath(pathOf(output));
+        walk(pathOf(folder), {});
         std::ranges::sort(m_found, {}, &Input::file);
         if (which == InFolders::testFilesAndReports)
             putBeside();
@@ -68,9 +68,10 @@ private:
         if (error)
             m_unreadable << nameOf(below);
         for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-            const QString name = below + fileNameOf(entries->path().filename().native());
+            const QString own = fileNameOf(entries->path().filename());
+            const QString name = below + own;
             std::error_code ignored;
-            if (entries->path().filename().native().starts_with('.'))
+            if (own.startsWith(u'.'))
                 continue;
             if (entries->is_directory(ignored))
                 walk(entries->path(), name + u'/');

@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QByteArray>
+#include "system/workers.h"
+
 #include <functional>
 
 namespace palmer {
-
-/// Result of one input.
-struct JobResult {
-    int code = 0;    ///< ExitCode
-    QByteArray rows; ///< for a common summary
-};
 
 /// How inputs are processed, and callbacks for the results.
 struct Jobs {

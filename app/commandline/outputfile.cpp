@@ -4,10 +4,11 @@
 
 #include "commandline/optionvalues.h"
 #include "commandline/streams.h"
-#include "document/filename.h"
 #include "document/savedocument.h"
 #include "import/formats.h"
 #include "kernel/measurement/testfacts.h"
+#include "system/filename.h"
+#include "system/files.h"
 
 #include <QDir>
 #include <QFileInfo>

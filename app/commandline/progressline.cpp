@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commandline/progressline.h"
 
-#include <cstdio>
+#include "system/streams.h"
 
-#include <unistd.h>
+#include <cstdio>
 
 namespace palmer {
 
@@ -20,7 +20,7 @@ void write(const QString &text) {
 
 ProgressLine::ProgressLine(const Language &language)
     : m_language(language)
-    , m_terminal(isatty(STDERR_FILENO) == 1) {}
+    , m_terminal(errorsGoToTerminal()) {}
 
 ProgressLine::~ProgressLine() {
     if (m_shown)

@@ -3,7 +3,6 @@
 #include "commandline/streams.h"
 
 #include "commandline/preparation.h"
-#include "document/filename.h"
 #include "document/place.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
@@ -14,16 +13,12 @@
 #include "import/profiles.h"
 #include "language/visibletext.h"
 #include "proof/readreportpdf.h"
+#include "system/filename.h"
+#include "system/streams.h"
 
 #include <QFile>
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
 #include <cstdio>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <thread>
-#include <unistd.h>
 
 namespace palmer {
 
@@ -46,34 +41,6 @@ QByteArray readStream(int descriptor, QFileDevice::FileHandleFlag handle, QByteA
     }
     require(input.error() == QFileDevice::NoError);
     return bytes;
-}
-
-/// Opens a pipe that somebody writes to, or will within two seconds; null for anything else. `begin`: what
-/// was read of it.
-std::optional<int> openedPipe(const QString &file, QByteArray &begin) {
-    struct stat about {};
-    const QByteArray name = nativeFileName(file);
-    if (::stat(name.constData(), &about) != 0 || !S_ISFIFO(about.st_mode))
-        return {};
-    // NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): POSIX
-    const int pipe = ::open(name.constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    constexpr std::chrono::milliseconds pause(20);
-    constexpr int pauses = 100;
-    for (int waited = 0; pipe >= 0 && waited < pauses; ++waited) {
-        char first = 0;
-        const ssize_t size = ::read(pipe, &first, 1);
-        if (size > 0)
-            begin.append(first);
-        if (size > 0 || (size < 0 && errno == EAGAIN)) { // there is a writer
-            ::fcntl(pipe, F_SETFL, 0);
-            return pipe;
-        }
-        std::this_thread::sleep_for(pause);
-    }
-    // NOLINTEND(cppcoreguidelines-pro-type-vararg)
-    if (pipe >= 0)
-        ::close(pipe);
-    throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "this is a pipe that nobody writes to"), {}});
 }
 
 QString oneLine(QString text) {
@@ -305,10 +272,13 @@ void refuseChoice(const std::string &key) {
 
 QByteArray bytesFrom(const QString &file) {
     if (file == QLatin1StringView("-") || file == QLatin1StringView("/dev/stdin"))
-        return readStream(STDIN_FILENO, QFileDevice::DontCloseHandle);
-    QByteArray begin;
-    if (const auto pipe = openedPipe(file, begin))
-        return readStream(*pipe, QFileDevice::AutoCloseHandle, begin);
+        return readStream(standardInput, QFileDevice::DontCloseHandle);
+    if (const std::optional<OpenPipe> pipe = openPipe(file)) {
+        if (!pipe->descriptor)
+            throw Error(Error::Kind::unreadable,
+                        {REPORT_TEXT("report", "this is a pipe that nobody writes to"), {}});
+        return readStream(*pipe->descriptor, QFileDevice::AutoCloseHandle, pipe->begin);
+    }
     return readBytes(file);
 }
 

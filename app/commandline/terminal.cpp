@@ -3,11 +3,10 @@
 #include "commandline/terminal.h"
 
 #include "report/blocks/plaintext.h"
+#include "system/streams.h"
 
 #include <QtGlobal>
 #include <algorithm>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace palmer {
 
@@ -20,11 +19,8 @@ std::optional<int> found() {
     bool isNumber = false;
     if (const int columns = qEnvironmentVariableIntValue("COLUMNS", &isNumber); isNumber && columns > 0)
         return std::clamp(columns, fewest, most);
-    winsize size{};
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): so POSIX declares it
-    if (::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
-        return std::clamp(static_cast<int>(size.ws_col), fewest, most);
-    return {};
+    const std::optional<int> columns = columnsOfTerminal();
+    return columns ? std::optional(std::clamp(*columns, fewest, most)) : std::nullopt;
 }
 
 } // namespace

@@ -7,11 +7,11 @@
 #include "commandline/streams.h"
 #include "commandline/terminal.h"
 #include "document/evaluateddocument.h"
-#include "document/filename.h"
 #include "editing/typicalvalues.h"
 #include "export/answersjson.h"
 #include "report/blocks/plaintext.h"
 #include "report/explanations/explanation.h"
+#include "system/filename.h"
 
 #include <algorithm>
 #include <array>

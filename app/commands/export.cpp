@@ -6,7 +6,6 @@
 #include "commandline/outputfile.h"
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
-#include "document/filename.h"
 #include "document/plannedtest.h"
 #include "document/savedocument.h"
 #include "export/controls.h"
@@ -15,6 +14,7 @@
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/surroundings.h"
 #include "report/planreport.h"
+#include "system/filename.h"
 
 #include <array>
 

@@ -6,22 +6,18 @@
 #include "commandline/outputfile.h"
 #include "commandline/preparation.h"
 #include "commandline/streams.h"
-#include "document/filename.h"
-#include "document/hugepages.h"
 #include "document/savedocument.h"
 #include "document/sha256.h"
 #include "export/answersjson.h"
 #include "import/importmeasurement.h"
 #include "kernel/numerics/runinbackground.h"
+#include "system/filename.h"
+#include "system/memory.h"
 
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
 #include <future>
-#include <limits>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace palmer {
 
@@ -40,19 +36,12 @@ std::future<std::string> hashOf(const QByteArray &bytes) {
     return runInBackground(bytes.size() > isLong, [bytes] { return sha256(bytes); });
 }
 
-/// Called before a long file is read. Memory freed while reading (bytes, text, cells, readings, JSON) is
-/// reused instead of returned to the system, which would clear each page again, and uses large pages.
-void keepMemory([[maybe_unused]] qint64 fileSize) {
-#ifdef __GLIBC__
+/// Called before a long file is read: bytes, text, cells, readings and JSON follow one another.
+void keepMemory(qint64 fileSize) {
     constexpr qint64 isLong = 4 << 20;
     constexpr qint64 mostAtOnce = 256 << 20;
-    if (fileSize < isLong)
-        return;
-    mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-    const QByteArray room(std::min(8 * fileSize, mostAtOnce), Qt::Uninitialized);
-    inHugePages(room.constData(), static_cast<std::size_t>(room.size())); // for later allocations
-#endif
+    if (fileSize >= isLong)
+        keepFreedMemory(static_cast<std::size_t>(std::min(8 * fileSize, mostAtOnce)));
 }
 
 /// Temperatures belong to the tests of the other files in any order.

@@ -12,6 +12,7 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/plane.h"
 #include "kernel/measurement/testfacts.h"
+#include "system/files.h"
 
 #include <QFileInfo>
 #include <QStringList>

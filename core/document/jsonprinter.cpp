@@ -3,8 +3,8 @@
 #include "document/jsonprinter.h"
 
 #include "document/documenterror.h"
-#include "document/hugepages.h"
 #include "language/visibletext.h"
+#include "system/memory.h"
 
 #include <nlohmann/json.hpp>
 
@@ -35,7 +35,7 @@ void JsonPrinter::expect(std::size_t characters) {
     const qsizetype size = std::max(m_text.size(), static_cast<qsizetype>(m_size + characters));
     m_text.reserve(size); // resize() rounds up to a power of two
     m_text.resize(size);
-    inHugePages(m_text.constData(), static_cast<std::size_t>(m_text.size()));
+    useHugePages(m_text.constData(), static_cast<std::size_t>(m_text.size()));
 }
 
 void JsonPrinter::text(std::string_view utf8) {

@@ -7,6 +7,7 @@
 #include "document/savedocument.h"
 #include "document/savefiles.h"
 #include "document/writedocument.h"
+#include "system/files.h"
 
 #include <QDir>
 #include <QFile>

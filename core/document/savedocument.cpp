@@ -3,16 +3,15 @@
 #include "document/savedocument.h"
 
 #include "document/bounds.h"
-#include "document/filename.h"
 #include "document/readdocument.h"
 #include "document/readprogress.h"
 #include "document/savefiles.h"
 #include "document/writedocument.h"
+#include "system/filename.h"
 
 #include <QFile>
 #include <QFileInfo>
 #include <algorithm>
-#include <sys/stat.h>
 
 namespace palmer {
 
@@ -114,14 +113,6 @@ QByteArray readBytes(const QString &path, qint64 limit) {
 
 QByteArray readBytes(const QString &path, ReadProgress &progress, const std::stop_token &stop) {
     return readBlocks(path, largestFile, &progress, stop);
-}
-
-bool isSameFile(const QString &path, const QString &other) {
-    struct stat one {};
-    struct stat two {};
-    return ::stat(nativeFileName(path).constData(), &one) == 0 &&
-           ::stat(nativeFileName(other).constData(), &two) == 0 && S_ISREG(one.st_mode) &&
-           one.st_dev == two.st_dev && one.st_ino == two.st_ino;
 }
 
 Document openDocument(const QString &path) {

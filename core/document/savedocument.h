@@ -34,10 +34,6 @@ void saveDocument(const Document &document, const QString &path);
 /// Throws the Error(tooLarge) of readBytes if `size` is above the limit.
 void requireReadable(qint64 size, qint64 limit = largestFile);
 
-/// True if both names refer to one file: by device and inode, through links of any kind. Only existing
-/// regular files count.
-[[nodiscard]] bool isSameFile(const QString &path, const QString &other);
-
 /// Reads the test file at that path. Throws the errors of readBytes and readDocument.
 [[nodiscard]] Document openDocument(const QString &path);
 

@@ -37,8 +37,4 @@ enum class UnreadPipe { refused, awaited };
 /// Precondition: distinct paths.
 void saveFiles(const std::vector<FileToSave> &files, UnreadPipe unread = UnreadPipe::refused);
 
-/// The name that a saved file has for a moment, before it takes the place of another; there after the program
-/// was killed in that moment. The next file saved to the same path takes it away.
-[[nodiscard]] QString nameWhileSaving(const QString &path);
-
 } // namespace palmer

@@ -4,7 +4,6 @@
 
 #include "document/bounds.h"
 #include "document/edits.h"
-#include "document/filename.h"
 #include "document/filewords.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
@@ -14,6 +13,7 @@
 #include "import/layouts/headings.h"
 #include "import/question.h"
 #include "import/readers.h"
+#include "system/filename.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
 #include "tables/folded.h"

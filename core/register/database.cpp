@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/database.h"
 
-#include "document/filename.h"
+#include "system/filename.h"
 
 #include <QDir>
 #include <QFile>

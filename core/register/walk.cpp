@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/walk.h"
 
-#include "document/filename.h"
 #include "register/machinechoices.h"
+#include "system/filename.h"
+#include "system/files.h"
 
 #include <QDateTime>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
-#include <fcntl.h>
 #include <filesystem>
 #include <set>
-#include <unistd.h>
 
 namespace palmer {
 
@@ -76,16 +74,15 @@ private:
         const QFileInfo info(folder);
         if (!m_seen.insert(info.canonicalFilePath()).second) // reached through another link
             return;
-        constexpr int toList = R_OK | X_OK;
-        if (::faccessat(AT_FDCWD, QFile::encodeName(folder).constData(), toList, AT_EACCESS) != 0) {
+        if (!mayBeListed(folder)) {
             refuse(folder, REPORT_TEXT("report", "the folder cannot be read"));
             return;
         }
         std::vector<QString> below;
         std::error_code error; // QDir passes over names that are not UTF-8
-        std::filesystem::directory_iterator entries(QFile::encodeName(folder).toStdString(), error);
+        std::filesystem::directory_iterator entries(pathOf(folder), error);
         for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error)) {
-            const QString name = fileNameOf(entries->path().filename().native());
+            const QString name = fileNameOf(entries->path().filename());
             const QFileInfo entry(folder + u'/' + name);
             std::error_code ignored;
             const bool isFolder = entries->is_directory(ignored);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/decodetext.h"
 
-#include "document/hugepages.h"
+#include "system/memory.h"
 #include "tables/contenterror.h"
 #include "tables/numbercell.h"
 
@@ -229,7 +229,7 @@ DecodedText decodeText(QByteArrayView bytes, std::optional<Encoding> chosen) {
             refuse(REPORT_TEXT("report", "this is no character of UTF-8; expected a text file in UTF-8"),
                    data, invalid);
         result.text.reserve(data.size());
-        inHugePages(result.text.data(), result.text.capacity());
+        useHugePages(result.text.data(), result.text.capacity());
         result.text = data;
         break;
     case Encoding::utf16LittleEndian:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/table.h"
 
-#include "document/hugepages.h"
+#include "system/memory.h"
 #include "tables/cellunits.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
@@ -496,8 +496,8 @@ void requireLines(std::string_view text) {
 void makeRoom(Scanner &scanner, std::size_t rows, std::size_t cells) {
     scanner.rows.reserve(std::min(rowLimit, rows));
     scanner.cells.reserve(std::min(cellLimit, cells));
-    inHugePages(scanner.rows.data(), scanner.rows.capacity() * sizeof(TableRow));
-    inHugePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
+    useHugePages(scanner.rows.data(), scanner.rows.capacity() * sizeof(TableRow));
+    useHugePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
 }
 
 /// Takes the next word into a heading.

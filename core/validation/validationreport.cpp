@@ -7,6 +7,7 @@
 #include "document/jsonformats.h"
 #include "document/sha256.h"
 #include "language/units.h"
+#include "system/process.h"
 
 #include <QCoreApplication>
 #include <QDate>
@@ -186,11 +187,8 @@ QStringList differences(const std::vector<Group> &groups, const Language &langua
 }
 
 QString processor() {
-    QFile file(QStringLiteral("/proc/cpuinfo"));
-    const bool isOpen = file.open(QIODevice::ReadOnly);
-    static const QRegularExpression name(QStringLiteral("model name\\s*: (.*)"));
-    const auto match = name.match(isOpen ? QString::fromUtf8(file.readAll()) : QString());
-    return match.hasMatch() ? match.captured(1) : QSysInfo::currentCpuArchitecture();
+    const QString name = processorName();
+    return name.isEmpty() ? QSysInfo::currentCpuArchitecture() : name;
 }
 
 /// Facts about this build.

@@ -34,7 +34,7 @@ constexpr Layer layers[]{
     {"core/kernel/words", ""},
     {"core/kernel/numerics", ""},
     {"core/kernel/measurement", "kernel/words"},
-    {"core/kernel/uncertainty", "kernel/words kernel/measurement"},
+    {"core/kernel/uncertainty", "kernel/words kernel/numerics kernel/measurement"},
     {"core/kernel/evaluation", "kernel/words kernel/numerics kernel/measurement kernel/uncertainty"},
     {"core/kernel/planning", "kernel/numerics kernel/measurement kernel/evaluation"},
     {"core/kernel/simulation", "kernel/numerics kernel/measurement kernel/uncertainty kernel/evaluation"},
@@ -45,11 +45,12 @@ constexpr Layer layers[]{
     {"core/kernel/thermal", "kernel/numerics"},
     {"core/kernel/trend", "kernel/numerics"},
     {"core/kernel/typetest", "kernel/numerics"},
-    {"core/language", "kernel/words kernel/measurement"},
-    {"core/document", "kernel language"},
-    {"core/tables", "kernel/words document"},
-    {"core/import", "kernel document tables"},
-    {"core/figures", "kernel document language"},
+    {"core/language", "kernel/words kernel/numerics kernel/measurement"},
+    {"core/system", ""},
+    {"core/document", "system kernel language"},
+    {"core/tables", "system kernel/words document"},
+    {"core/import", "system kernel document tables"},
+    {"core/figures", "system kernel document language"},
     {"core/editing", "kernel document language tables import"},
     {"core/report/blocks", "kernel document figures"},
     {"core/report/words", "kernel document language report/blocks"},
@@ -59,11 +60,11 @@ constexpr Layer layers[]{
     {"core/report/help", "kernel document language report/blocks report/words report/explanations"},
     {"core/report", "kernel document language figures"},
     {"core/export", "kernel document language tables import report"},
-    {"core/validation", "kernel document language export report"},
+    {"core/validation", "system kernel document language export report"},
     {"core/proof", "kernel document language report"},
-    {"core/register", "kernel document language figures report proof"},
-    {"core/print", "kernel document language figures report proof export"},
-    {"ui/model", "kernel document tables editing"},
+    {"core/register", "system kernel document language figures report proof"},
+    {"core/print", "system kernel document language figures report proof export"},
+    {"ui/model", "system kernel document tables editing"},
     {"ui", "kernel document language tables import figures editing report print ui/model"},
     {"ui/figures", "kernel document language figures report print ui ui/model"},
     {"ui/forms", "kernel document language editing report print ui ui/model"},
@@ -84,11 +85,13 @@ constexpr Layer layers[]{
     {"ui/register", "kernel document language figures report register print ui ui/model ui/figures ui/help "
                     "ui/dialogs"},
     {"ui/window",
-     "kernel document language import figures editing report export print register ui ui/model ui/figures "
+     "system kernel document language import figures editing report export print register ui ui/model "
+     "ui/figures "
      "ui/forms ui/results ui/readings ui/drift ui/circles ui/uncertainty ui/comparison ui/diagnosis ui/proof "
      "ui/help ui/navigation ui/welcome ui/import ui/dialogs ui/register"},
-    {"app", "kernel document language import validation export figures editing report proof register print "
-            "ui ui/model ui/window commandline commands formats"},
+    {"app",
+     "system kernel document language import validation export figures editing report proof register print "
+     "ui ui/model ui/window commandline commands formats"},
 };
 
 bool hasRow(const QString &folder) {

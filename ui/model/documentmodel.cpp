@@ -4,6 +4,7 @@
 
 #include "document/savedocument.h"
 #include "kernel/measurement/testfacts.h"
+#include "system/memory.h"
 #include "ui/model/editcommand.h"
 
 #include <QFileInfo>
@@ -12,10 +13,6 @@
 #include <QUndoStack>
 #include <algorithm>
 #include <vector>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace palmer::ui {
 
@@ -26,13 +23,6 @@ constexpr std::size_t mostReadings = 6'000'000; ///< in large tests, over all st
 
 constexpr int untilRest = 1000;             ///< ms without a change
 constexpr std::size_t muchMemory = 100'000; ///< readings
-
-/// Otherwise the allocator keeps the temporary memory of an edit of 10⁶ readings.
-void giveMemoryBack() {
-#ifdef __GLIBC__
-    malloc_trim(0);
-#endif
-}
 
 const KeptDocument &keptAt(const QUndoStack &stack, int index) {
     return static_cast<const EditCommand *>(stack.command(index))->kept();
@@ -47,7 +37,7 @@ DocumentModel::DocumentModel(QObject *parent)
     , m_rest(new QTimer(this)) {
     m_rest->setSingleShot(true);
     m_rest->setInterval(untilRest);
-    connect(m_rest, &QTimer::timeout, this, [] { giveMemoryBack(); });
+    connect(m_rest, &QTimer::timeout, this, [] { returnFreeMemory(); });
     m_stack->setUndoLimit(mostSteps);
     connect(m_stack, &QUndoStack::cleanChanged, this, &DocumentModel::fileChanged);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/model/settings.h"
 
+#include "system/files.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileDevice>
@@ -10,7 +12,6 @@
 #include <QJsonObject>
 #include <QLockFile>
 #include <QSettings>
-#include <unistd.h>
 
 namespace palmer::ui {
 
@@ -47,7 +48,7 @@ bool write(QIODevice &device, const QSettings::SettingsMap &settings) {
     // QSettings replaces the file if this returns true, and does not check whether all was written.
     auto *file = qobject_cast<QFileDevice *>(&device);
     return device.write(bytes) == bytes.size() && file && file->flush() && file->size() == bytes.size() &&
-           ::fsync(file->handle()) == 0;
+           isOnDisk(file->handle());
 }
 
 /// Removes what QSettings leaves if the program is killed while it replaces the file: under its lock, as

@@ -10,7 +10,6 @@
 #include "ui/sizeonscreen.h"
 
 #include "document/edits.h"
-#include "document/filename.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
@@ -19,6 +18,7 @@
 #include "import/formats.h"
 #include "print/proof/verifyreport.h"
 #include "register/historyfile.h"
+#include "system/filename.h"
 #include "ui/circles/circlespage.h"
 #include "ui/dialogs/comparedialog.h"
 #include "ui/dialogs/compensationdialog.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/logo.h"
 
+#include "system/streams.h"
+
 #include <QPainter>
 #include <QSvgRenderer>
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace palmer {
 
@@ -13,34 +13,8 @@ namespace {
 
 constexpr int largestSide = 1200; ///< pixels: 3000 dpi at 10 mm
 
-/// Discards standard error during its lifetime: libpng itself reports damaged pictures there, but Palmer
-/// reports them once in its own words.
-class QuietErrors {
-public:
-    QuietErrors()
-        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): so POSIX declares it
-        : m_before(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
-        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): so POSIX declares it
-        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-        if (m_before >= 0 && nowhere >= 0)
-            ::dup2(nowhere, STDERR_FILENO);
-        if (nowhere >= 0)
-            ::close(nowhere);
-    }
-    ~QuietErrors() {
-        if (m_before < 0)
-            return;
-        ::dup2(m_before, STDERR_FILENO);
-        ::close(m_before);
-    }
-    QuietErrors(const QuietErrors &) = delete;
-    QuietErrors &operator=(const QuietErrors &) = delete;
-
-private:
-    int m_before;
-};
-
 QImage pngImage(const QByteArray &bytes) {
+    // libpng itself reports damaged pictures there, but Palmer reports them once in its own words.
     const QuietErrors quiet;
     return QImage::fromData(bytes, "PNG");
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/filename.h"
+#include "system/filename.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -7,6 +7,7 @@
 #include "core/kernel/evaluation/positioningdata.h"
 #include "document/savedocument.h"
 #include "document/savefiles.h"
+#include "system/files.h"
 
 #include <QDir>
 #include <QFile>

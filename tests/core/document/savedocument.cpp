@@ -6,6 +6,7 @@
 #include "document/readdocument.h"
 #include "document/readprogress.h"
 #include "document/writedocument.h"
+#include "system/files.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -4,11 +4,11 @@
 
 #include "ui/window/shownwindow.h"
 
-#include "document/filename.h"
 #include "document/recovery.h"
 #include "document/savedocument.h"
 #include "document/writedocument.h"
 #include "editing/editreadings.h"
+#include "system/filename.h"
 #include "ui/dialogs/recoverydialog.h"
 #include "ui/import/importassistant.h"
 #include "ui/window/endofsession.h"

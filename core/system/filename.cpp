@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/filename.h"
+#include "system/filename.h"
 
 #include <QStringDecoder>
 #include <algorithm>
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace palmer {
 
@@ -87,21 +85,6 @@ QString shownFileName(QString name) {
             name[at] = QChar(static_cast<char16_t>(name[at].unicode() - shift));
     }
     return name;
-}
-
-ReachableFile::ReachableFile(const QString &name)
-    : m_name(name) {
-    if (isUtf8FileName(name))
-        return;
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): so POSIX declares it
-    m_descriptor = ::open(nativeFileName(name).constData(), O_PATH | O_CLOEXEC);
-    if (m_descriptor >= 0)
-        m_name = QStringLiteral("/proc/self/fd/%1").arg(m_descriptor);
-}
-
-ReachableFile::~ReachableFile() {
-    if (m_descriptor >= 0)
-        ::close(m_descriptor);
 }
 
 } // namespace palmer

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/workers.h"
+
+#include "system/process.h"
+#include "system/windows/worker.h"
+#include "system/workeranswers.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QEventLoop>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <io.h>
+#include <limits>
+#include <new>
+#include <sys/stat.h>
+#include <utility>
+#include <vector>
+#include <windows.h>
+
+namespace palmer {
+
+namespace {
+
+/// In the environment of a worker: the name of the counter that it shares, "palmer-PROCESS-…" with the first
+/// process.
+constexpr const char *counterVariable = "PALMER_WORKER";
+
+/// Number of the next input, shared by all processes.
+class SharedCounter {
+public:
+    explicit SharedCounter(const QString &name)
+        : m_mapping(::CreateFileMappingW(INVALID_HANDLE_VALUE, nullptr, PAGE_READWRITE, 0, sizeof(LONG),
+                                         name.toStdWString().c_str()))
+        , m_next(m_mapping ? ::MapViewOfFile(m_mapping, FILE_MAP_ALL_ACCESS, 0, 0, sizeof(LONG)) : nullptr) {
+        if (!m_next)
+            throw std::bad_alloc();
+    }
+    ~SharedCounter() {
+        ::UnmapViewOfFile(m_next);
+        ::CloseHandle(m_mapping);
+    }
+    SharedCounter(const SharedCounter &) = delete;
+    SharedCounter &operator=(const SharedCounter &) = delete;
+
+    int claim() { return ::InterlockedExchangeAdd(static_cast<LONG *>(m_next), 1); }
+    [[nodiscard]] int claimed() const { return ::InterlockedExchangeAdd(static_cast<LONG *>(m_next), 0); }
+
+private:
+    HANDLE m_mapping;
+    void *m_next;
+};
+
+/// Set by the first process when it has heard all answers. Without it a worker would end while its last bytes
+/// are in the pipe, and QProcess loses some of them now and then.
+class AllHeard {
+public:
+    explicit AllHeard(const QString &name)
+        : m_event(::CreateEventW(nullptr, TRUE, FALSE,
+                                 (name + QStringLiteral("-heard")).toStdWString().c_str())) {}
+    ~AllHeard() { ::CloseHandle(m_event); }
+    AllHeard(const AllHeard &) = delete;
+    AllHeard &operator=(const AllHeard &) = delete;
+
+    void set() { ::SetEvent(m_event); }
+    /// Returns when it is set, or the first process has ended.
+    void await(DWORD first) const {
+        HANDLE process = ::OpenProcess(SYNCHRONIZE, FALSE, first);
+        const std::array<HANDLE, 2> either{m_event, process};
+        if (process)
+            ::WaitForMultipleObjects(2, either.data(), FALSE, INFINITE);
+    }
+
+private:
+    HANDLE m_event;
+};
+
+/// Takes the place of a standard stream; removed with the process.
+class TakenStream {
+public:
+    TakenStream(std::FILE *stream, const char *name)
+        : m_stream(stream) {
+        const QString path =
+            QDir::tempPath() +
+            QStringLiteral("/palmer-%1-%2").arg(::GetCurrentProcessId()).arg(QLatin1StringView(name));
+        const int file =
+            ::_wopen(path.toStdWString().c_str(), _O_RDWR | _O_CREAT | _O_TRUNC | _O_BINARY | _O_TEMPORARY,
+                     _S_IREAD | _S_IWRITE);
+        if (file < 0 || ::_dup2(file, ::_fileno(stream)) != 0)
+            std::_Exit(1);
+        ::_close(file);
+    }
+
+    /// What was printed since the last call.
+    [[nodiscard]] QByteArray take() const {
+        std::fflush(m_stream);
+        const int file = ::_fileno(m_stream);
+        const long size = ::_lseek(file, 0, SEEK_CUR);
+        QByteArray bytes(std::max(size, 0L), Qt::Uninitialized);
+        ::_lseek(file, 0, SEEK_SET);
+        if (size > 0 && ::_read(file, bytes.data(), static_cast<unsigned>(size)) != size)
+            bytes.clear();
+        ::_lseek(file, 0, SEEK_SET);
+        return bytes;
+    }
+
+private:
+    std::FILE *m_stream;
+};
+
+int binary(int file) {
+    ::_setmode(file, _O_BINARY);
+    return file;
+}
+
+/// The streams of a worker.
+struct WorkerStreams {
+    int answers = binary(::_dup(::_fileno(stdout)));
+    TakenStream printed{stdout, "out"};
+    TakenStream errors{stderr, "errors"};
+
+    void send(const QByteArray &bytes) const {
+        for (qsizetype at = 0; at < bytes.size();) {
+            constexpr qsizetype most = 1 << 20;
+            const int written = ::_write(answers, bytes.constData() + at,
+                                         static_cast<unsigned>(std::min(bytes.size() - at, most)));
+            if (written <= 0)
+                std::_Exit(1);
+            at += written;
+        }
+    }
+};
+
+bool isWorker() {
+    return qEnvironmentVariableIsSet(counterVariable);
+}
+
+const WorkerStreams &workerStreams() {
+    static const WorkerStreams streams;
+    return streams;
+}
+
+/// Main loop of a worker process: processes inputs and sends each answer immediately.
+[[noreturn]] void serve(int count, const std::function<JobResult(int)> &work) {
+    const WorkerStreams &streams = workerStreams();
+    const QString name = qEnvironmentVariable(counterVariable);
+    SharedCounter next(name);
+    const AllHeard heard(name);
+    static_cast<void>(streams.printed.take()); // the first process printed the same
+    static_cast<void>(streams.errors.take());
+    for (int input = next.claim(); input < count; input = next.claim()) {
+        streams.send(bytesOf(WorkerAnswer{.input = input}));
+        FinishedJob job{work(input), {}, {}};
+        job.printed = streams.printed.take();
+        job.errors = streams.errors.take();
+        streams.send(bytesOf(input, job));
+    }
+    heard.await(name.section(u'-', 1, 1).toULong());
+    std::_Exit(0);
+}
+
+/// A worker process, as seen by the first.
+struct Worker {
+    std::unique_ptr<QProcess> process;
+    QByteArray bytes = {};         ///< read, but not a complete answer yet
+    std::optional<int> input = {}; ///< being processed
+    bool hasAnswered = false;
+};
+
+} // namespace
+
+void prepareAsWorker() {
+    if (isWorker())
+        workerStreams();
+}
+
+class Workers::Pool {
+public:
+    explicit Pool(int count)
+        : m_count(count)
+        , m_name(QStringLiteral("palmer-%1-%2")
+                     .arg(::GetCurrentProcessId())
+                     .arg(reinterpret_cast<quintptr>(this)))
+        , m_next(m_name)
+        , m_heard(m_name) {}
+    ~Pool() {
+        m_heard.set();
+        for (const Worker &worker : m_workers)
+            worker.process->waitForFinished(-1);
+    }
+    Pool(const Pool &) = delete;
+    Pool &operator=(const Pool &) = delete;
+
+    bool keepUp(int jobs) {
+        while (m_starts && std::cmp_less(m_workers.size(), jobs) && m_next.claimed() < m_count) {
+            if (!start())
+                break;
+        }
+        return !m_workers.empty();
+    }
+
+    void listen(FinishedJobs &ended) {
+        QEventLoop loop;
+        bool hasNews = false;
+        for (const Worker &worker : m_workers) {
+            QProcess *process = worker.process.get();
+            hasNews = hasNews || process->bytesAvailable() > 0 || process->state() == QProcess::NotRunning;
+            QObject::connect(process, &QProcess::readyReadStandardOutput, &loop, &QEventLoop::quit);
+            QObject::connect(process, &QProcess::finished, &loop, &QEventLoop::quit);
+        }
+        if (!hasNews)
+            loop.exec();
+        for (std::size_t i = m_workers.size(); i-- > 0;) {
+            Worker &worker = m_workers[i];
+            worker.bytes += worker.process->readAllStandardOutput();
+            worker.hasAnswered = worker.hasAnswered || !worker.bytes.isEmpty();
+            takeAnswers(worker.bytes, worker.input, ended);
+            if (worker.process->state() != QProcess::NotRunning)
+                continue;
+            if (worker.input)
+                ended.emplace(*worker.input, std::nullopt);
+            m_starts = m_starts && worker.hasAnswered; // otherwise others would end as early
+            m_workers.erase(m_workers.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
+
+private:
+    bool start() {
+        auto process = std::make_unique<QProcess>();
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QString::fromLatin1(counterVariable), m_name);
+        process->setProcessEnvironment(environment);
+        process->setInputChannelMode(QProcess::ForwardedInputChannel);
+        process->setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        process->start(QCoreApplication::applicationFilePath(),
+                       wordsOf(std::numeric_limits<int>::max(), nullptr));
+        if (!process->waitForStarted(-1))
+            return false;
+        m_workers.push_back({std::move(process)});
+        return true;
+    }
+
+    int m_count;
+    QString m_name;
+    SharedCounter m_next;
+    AllHeard m_heard;
+    std::vector<Worker> m_workers;
+    bool m_starts = true; ///< processes can be started
+};
+
+Workers::Workers(int count, std::function<JobResult(int)> work) {
+    if (isWorker())
+        serve(count, work);
+    m_pool = std::make_unique<Pool>(count);
+}
+
+Workers::~Workers() = default;
+
+bool Workers::keepUp(int jobs) {
+    return m_pool->keepUp(jobs);
+}
+
+void Workers::listen(FinishedJobs &ended) {
+    m_pool->listen(ended);
+}
+
+} // namespace palmer
