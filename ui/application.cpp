@@ -24,11 +24,18 @@ constexpr double roomUntil = 16.5;      ///< smallest font size that needs scali
 constexpr QSizeF leastScreen(640, 440); ///< smallest screen, in scaled pixels
 constexpr auto enlarged = "enlarged";
 
+/// True if Windows replaces its own font by any other, with serifs perhaps, as Wine does. Elsewhere the name
+/// of a font may be that of a kind of fonts.
+bool isReplaced(const QFont &font) {
+    return QGuiApplication::platformName() == QLatin1StringView("windows") &&
+           !QFontDatabase::hasFamily(font.family());
+}
+
 /// Signs that no font of the machine may have (⚠, ✓, ↺) come from one of the program, and letters from that
 /// of the reports if the machine has no font at all.
 void addFonts() {
     QFont font = QApplication::font();
-    if (QRawFont::fromFont(font).fontTable("cmap").isEmpty()) { // Qt's boxes
+    if (isReplaced(font) || QRawFont::fromFont(font).fontTable("cmap").isEmpty()) { // Qt's boxes
         font.setFamily(paperFamily());
         QApplication::setFont(font);
     }
