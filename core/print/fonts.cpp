@@ -6,13 +6,46 @@
 #include <QFontDatabase>
 #include <QRawFont>
 #include <QResource>
+#include <QtEndian>
 #include <stdexcept>
 
 namespace palmer {
 
 namespace {
 
-constexpr QLatin1StringView family("Liberation Sans");
+constexpr QLatin1StringView publicFamily("Liberation Sans");
+
+/// By which Qt knows the faces: under their own name it would take those of the system, whatever their
+/// version, and the same report would have other bytes on another machine. Of the same length, to be written
+/// over the other.
+constexpr QLatin1StringView family("Palmer Sans 230");
+static_assert(family.size() == publicFamily.size());
+
+QByteArray utf16(QLatin1StringView text) {
+    QByteArray bytes;
+    for (const char letter : text)
+        bytes.append('\0').append(letter);
+    return bytes;
+}
+
+/// A copy of a TrueType file with the family of its table of names replaced; what it is called in a PDF is
+/// another name there, and stays.
+QByteArray renamed(QByteArray face) {
+    constexpr qsizetype tables = 12; // begin of the list of tables; each: tag, sum, offset, length
+    constexpr qsizetype row = 16;
+    const auto number = [&face](qsizetype at) { return qFromBigEndian<quint32>(face.constData() + at); };
+    const int count = qFromBigEndian<quint16>(face.constData() + 4);
+    for (qsizetype at = tables; at < tables + count * row && at + row <= face.size(); at += row) {
+        if (face.sliced(at, 4) != "name")
+            continue;
+        const auto offset = static_cast<qsizetype>(number(at + 8));
+        QByteArray names = face.mid(offset, static_cast<qsizetype>(number(at + 12)));
+        names.replace(publicFamily.data(), family.data());
+        names.replace(utf16(publicFamily), utf16(family));
+        face.replace(offset, names.size(), names);
+    }
+    return face;
+}
 
 #ifdef PALMER_FONTS
 /// The font file of the distribution.
@@ -39,7 +72,7 @@ bool load() {
                                          "θ\u00a0\u202f");
     for (const char *face : {"Regular", "Bold", "Italic", "BoldItalic"}) {
         const QByteArray data = fontFile(QStringLiteral("LiberationSans-%1.ttf").arg(QLatin1String(face)));
-        const int id = QFontDatabase::addApplicationFontFromData(data);
+        const int id = QFontDatabase::addApplicationFontFromData(renamed(data));
         if (id < 0 || QFontDatabase::applicationFontFamilies(id).value(0) != family)
             throw std::runtime_error("the font of the reports is damaged");
         const QRawFont raw(data, 10);
@@ -62,6 +95,10 @@ void loadFonts() {
 QString paperFamily() {
     loadFonts();
     return family;
+}
+
+QString printedFamily() {
+    return publicFamily;
 }
 
 QFont paperFont(int pixelSize, bool bold, bool italic) {

@@ -12,8 +12,11 @@ namespace palmer {
 /// std::runtime_error if the resource is missing or damaged. Called at start and before drawing.
 void loadFonts();
 
-/// The font family of figures and reports.
+/// The font family of figures and reports, by a name of the program's own that no font of the system has.
 [[nodiscard]] QString paperFamily();
+
+/// What others call it, for files that name their fonts instead of carrying them.
+[[nodiscard]] QString printedFamily();
 
 /// The paper font at a size in pixels of its painter, which are points if the painter is scaled to points.
 /// Whole sizes and no hinting: the same text has the same width on every device.

@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QtEndian>
 
 namespace {
 
@@ -39,6 +40,7 @@ private slots:
     void writesToStandardOutput();
     void saysBeforehandThatAReportIsLong();
     void sameBytesAnywhere();
+    void noFontOfTheSystemIsTaken();
     void saysThatALogoIsNoPicture_data();
     void saysThatALogoIsNoPicture();
     void refusesWrongUsage_data();
@@ -126,6 +128,49 @@ void ReportCommandTest::sameBytesAnywhere() {
         QVERIFY(!contents(here).isEmpty());
         QVERIFY(contents(here) == contents(there));
     }
+}
+
+/// Another version of the same family, as many systems have it: each letter as wide as the others.
+QByteArray otherVersion(QByteArray face) {
+    const auto number = [&face](qsizetype at) { return qFromBigEndian<quint32>(face.constData() + at); };
+    for (qsizetype row = 12; row < 12 + 16 * qFromBigEndian<quint16>(face.constData() + 4); row += 16) {
+        if (face.sliced(row, 4) != "hmtx")
+            continue;
+        for (quint32 at = number(row + 8), end = at + number(row + 12); at + 4 <= end; at += 4)
+            qToBigEndian<quint16>(1000, face.data() + at);
+    }
+    return face;
+}
+
+/// Without it a report would be drawn otherwise on another machine, and `verify` would say so.
+void ReportCommandTest::noFontOfTheSystemIsTaken() {
+    const QTemporaryDir folder;
+    const QString fonts = folder.filePath("fonts");
+    QVERIFY(QDir().mkdir(fonts));
+    for (const QString face : {"Regular", "Bold", "Italic", "BoldItalic"}) {
+        const QString name = "/LiberationSans-" + face + ".ttf";
+        QFile file(fonts + name);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(otherVersion(contents(EXAMPLES "../fonts" + name)));
+    }
+    QByteArrayList reports;
+    for (const QString &place : {fonts, folder.filePath("nothing")}) {
+        QFile configuration(folder.filePath("fonts.conf"));
+        QVERIFY(configuration.open(QIODevice::WriteOnly));
+        configuration.write(
+            ("<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\"><fontconfig><dir>" + place +
+             "</dir><cachedir>" + folder.filePath("cache") + "</cachedir></fontconfig>")
+                .toUtf8());
+        configuration.close();
+        const QString out = folder.filePath("r.pdf");
+        QCOMPARE(palmer::testdata::runCli({"report", example, "--language", "fr", "-o", out}, {},
+                                          {{"FONTCONFIG_FILE", configuration.fileName()}})
+                     .code,
+                 0);
+        reports << contents(out);
+    }
+    QVERIFY(!reports.front().isEmpty());
+    QVERIFY(reports.front() == reports.back());
 }
 
 void ReportCommandTest::saysThatALogoIsNoPicture_data() {

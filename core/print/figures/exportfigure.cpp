@@ -5,6 +5,7 @@
 #include "figures/figuretexts.h"
 #include "language/visibletext.h"
 #include "print/figures/drawfigure.h"
+#include "print/fonts.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -80,6 +81,14 @@ QByteArray withTrueDashes(const QByteArray &svg) {
     return (result + text.mid(end)).toUtf8();
 }
 
+/// Names the font as those know it who look at the picture.
+QByteArray withPrintedFamily(QByteArray svg) {
+    const auto attribute = [](const QString &family) {
+        return QStringLiteral("font-family=\"%1\"").arg(family).toUtf8();
+    };
+    return svg.replace(attribute(paperFamily()), attribute(printedFamily()));
+}
+
 /// A number of a path rounded to a hundredth of a point; QSvgGenerator writes six digits.
 QByteArray shortNumber(const QByteArray &number) {
     constexpr double hundredths = 100;
@@ -134,7 +143,8 @@ QByteArray figureAsSvg(const Figure &figure, const QString &title, const Languag
     begin(painter, &generator);
     drawFigure(painter, page, figure, Medium::paper);
     painter.end();
-    return visibleText(withShortPaths(withTrueDashes(asPicture(buffer.data(), language.code()))));
+    return visibleText(
+        withPrintedFamily(withShortPaths(withTrueDashes(asPicture(buffer.data(), language.code())))));
 }
 
 QByteArray figureAsPdf(const Figure &figure, const QString &title) {
