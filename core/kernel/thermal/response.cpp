@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace palmer {
 
@@ -174,12 +175,36 @@ private:
         return inside;
     }
 
-    /// Golden section between the neighbours of the best point of the grid.
+    /// Golden section between the neighbours of the best point of the grid, then the zero of dS/dτ: S itself
+    /// is flat about its minimum, where the last digits of exp would decide the ninth of τ.
     void refine(std::size_t index) {
+        narrow(index);
+        constexpr double nearby = 1e-5;
+        constexpr double reach = 1e-3;
+        constexpr int steps = 6;
+        double last = m_best.tau;
+        double tau = last * (1 + nearby);
+        if (last <= 0 || last >= m_longest)
+            return;
+        double before = m_fit.linearAt(m_best).descent;
+        for (int i = 0; i < steps && tau != last; ++i) {
+            const double descent = m_fit.linearAt(m_fit.at(tau)).descent;
+            if (descent == before)
+                break;
+            const double next = tau - descent * (tau - last) / (descent - before);
+            if (!(std::abs(next - m_best.tau) < reach * m_best.tau))
+                return;
+            last = std::exchange(tau, next);
+            before = descent;
+        }
+        m_best = m_fit.at(tau);
+    }
+
+    void narrow(std::size_t index) {
         double low = m_points[index == 0 ? 0 : index - 1].tau;
         double high = m_points[std::min(index + 1, m_points.size() - 1)].tau;
         constexpr double golden = 0.6180339887498949;
-        constexpr int steps = 50;
+        constexpr int steps = 25;
         ResponseFit::At left = m_fit.at(high - golden * (high - low));
         ResponseFit::At right = m_fit.at(low + golden * (high - low));
         for (int i = 0; i < steps; ++i) {

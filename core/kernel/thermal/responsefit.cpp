@@ -117,6 +117,7 @@ ResponseFit::Linear ResponseFit::linearAt(const At &fit) const {
         r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(all, all));
     result.fitted = design.leftCols(columns) * first;
     result.residual = m_x - result.fitted;
+    result.descent = result.residual.dot(lastColumn);
     result.slope = first[1] / scale;
     result.ofSlope = inverse.row(1).transpose() / scale;
     result.ofK = inverse.row(2).transpose();

@@ -46,6 +46,7 @@ public:
         double slope = 0; ///< b, per s
         Eigen::VectorXd fitted;
         Eigen::VectorXd response; ///< y
+        double descent = 0;       ///< −½·dS/dτ: residual times ∂x/∂τ
     };
     [[nodiscard]] Linear linearAt(const At &fit) const;
 
