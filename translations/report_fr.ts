@@ -10670,8 +10670,42 @@
         <translation>Une tendance est indiquée si la pente atteint au moins t fois son incertitude-type (95&#xa0;%). Pas avant&#xa0;: la droite + t·u atteint la limite, borne unilatérale à 95&#xa0;%, pour le niveau, non pour le prochain essai.</translation>
     </message>
     <message>
-        <source>largest range within the duration: %1</source>
-        <translation>plus grande étendue pendant la durée&#xa0;: %1</translation>
+        <source>the %1 in which %2 varies most</source>
+        <translation>les %1 où %2 varie le plus</translation>
+    </message>
+    <message>
+        <source>Variation of %1 in %2</source>
+        <translation>Variation de %1 en %2</translation>
+    </message>
+    <message>
+        <source>Variation of %1, whole record</source>
+        <translation>Variation de %1, tout le relevé</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <comment>of the drift in an uncertainty</comment>
+        <translation>Part</translation>
+    </message>
+    <message>
+        <source>%1 of U²(%2)</source>
+        <translation>%1 de U²(%2)</translation>
+    </message>
+    <message>
+        <source>without drift %1</source>
+        <translation>sans dérive&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <comment>of the drift</comment>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>no temperature was recorded</source>
+        <translation>aucune température relevée</translation>
+    </message>
+    <message>
+        <source>thin black line: %1</source>
+        <translation>trait noir fin&#xa0;: %1</translation>
     </message>
     <message>
         <source>The newest comparable test of each machine of a type, with upper tolerance limits: what most machines of the type stay below. The machines are those in the register, no random sample. The examples have one of eight machines.</source>

@@ -160,6 +160,24 @@ struct FigureLine {
     bool operator==(const FigureLine &) const = default;
 };
 
+/// A part of the x axis that matters, shaded.
+struct FigureBand {
+    double from = 0;
+    double to = 0;
+    QString label; ///< above the plot; may be empty
+
+    bool operator==(const FigureBand &) const = default;
+};
+
+/// A range of values within a band, between two dashed lines.
+struct FigureSpan {
+    double low = 0;
+    double high = 0;
+    QString label; ///< beside its arrow
+
+    bool operator==(const FigureSpan &) const = default;
+};
+
 /// Lines over one axis: temperatures over time, means before and after a compensation, the residual of a
 /// diagnosis over the angle. An axis without quantity has no title; lines without names have no legend.
 struct LineFigure {
@@ -167,6 +185,8 @@ struct LineFigure {
     FigureAxis x;
     FigureAxis y;
     std::vector<FigureLine> lines;
+    std::optional<FigureBand> band = {};
+    std::optional<FigureSpan> span = {}; ///< only with a band
 
     bool operator==(const LineFigure &) const = default;
 };

@@ -297,9 +297,8 @@ private:
     /// Page 1 names every limit of its test, the summary counts all of them.
     void limitsOnPages(const Report &report, const Language &language) {
         std::vector<const VerdictLine *> lines;
-        const QString decision = language.text(REPORT_TEXT_FOR("report", "Decision", "on two tests"));
         for (const Block &block : report.blocks) {
-            if (const auto *line = std::get_if<VerdictLine>(&block); line && line->label != decision)
+            if (const auto *line = std::get_if<VerdictLine>(&block); line && !line->interprets)
                 lines.push_back(line);
         }
         std::vector<std::size_t> tests;

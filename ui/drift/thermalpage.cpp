@@ -212,7 +212,7 @@ void ThermalPage::present() {
     draw(*m_drift,
          channelFigure(*shown, m_result->channels, channel, language, isWithin ? found : std::nullopt), true);
     const bool hot = !shown->temperatures.empty();
-    draw(*m_temperatures, temperatureFigure(*shown, language), hot);
+    draw(*m_temperatures, temperatureFigure(*shown, language, isWithin ? found : std::nullopt), hot);
     const LineFigure variation = variationFigure(*shown, language);
     m_variationTitle->setText(variation.title);
     draw(*m_variation, variation, true);

@@ -695,6 +695,8 @@ private:
         }
         case LegendSample::drift:
         case LegendSample::mean:
+            if (entry.band)
+                p.fillRect(box, bandColor(false, false, m_medium));
             p.setPen(pen(entry.sample == LegendSample::drift ? FigureRole::drift : FigureRole::mean));
             p.drawLine(middle - half, middle + half);
             return;

@@ -6,6 +6,7 @@
 #include "print/figures/plotframe.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace palmer {
 
@@ -14,6 +15,10 @@ namespace {
 constexpr double endLabelGap = 0.8 * mm;
 constexpr double topMargin = 1.6 * mm;
 constexpr double rightMargin = 6 * mm;
+constexpr double bandLabelRoom = 3.2 * mm; ///< above the plot
+constexpr double arrowGap = 1.6 * mm;      ///< between a band and the arrow of its span
+constexpr double arrowLength = 1.3 * mm;
+constexpr double arrowWidth = 0.9 * mm;
 
 FigureRole penRole(LineRole role) {
     return inOrder(role, {FigureRole::upEdge, FigureRole::downEdge, FigureRole::up, FigureRole::down,
@@ -33,6 +38,8 @@ public:
     FigureTransform draw() {
         if (!m_frame.begin())
             return {};
+        if (m_figure.band)
+            drawBand(*m_figure.band);
         m_frame.drawHorizontalGrid();
         m_frame.inside([&] {
             p.setBrush(Qt::NoBrush);
@@ -49,6 +56,8 @@ public:
                 p.setBrush(Qt::NoBrush);
             }
         });
+        if (m_figure.band && m_figure.span)
+            drawSpan(*m_figure.band, *m_figure.span);
         drawLabels();
         const QPen axis = m_frame.pen(FigureRole::axis);
         p.setPen(axis);
@@ -88,7 +97,54 @@ private:
                                  ? lineFrame.title + titleCentre
                                  : lineFrame.legend + legendRows(m_entries, room, lineFrame) * legendPitch;
         const double bottom = below - heightSaved();
-        return {area.left() + left, area.top() + topMargin, room, area.height() - topMargin - bottom};
+        const double top = topMargin + (m_figure.band && !m_figure.band->label.isEmpty() ? bandLabelRoom : 0);
+        return {area.left() + left, area.top() + top, room, area.height() - top - bottom};
+    }
+
+    /// The label ends at the band, or begins there where it would leave the plot.
+    void drawBand(const FigureBand &band) {
+        const QRectF &plot = m_frame.plot();
+        const QRectF shade(QPointF(m_frame.x(band.from), plot.top()),
+                           QPointF(m_frame.x(band.to), plot.bottom()));
+        p.fillRect(shade, m_frame.colour(FigureRole::guardFill));
+        if (band.label.isEmpty())
+            return;
+        const double width = textWidth(band.label);
+        const double least = plot.left();
+        const double left = std::clamp(shade.right() - width, least, std::max(least, plot.right() - width));
+        drawText(p, {left, plot.top() - bandLabelRoom / 2}, band.label, m_frame.colour(FigureRole::text));
+    }
+
+    void drawSpan(const FigureBand &band, const FigureSpan &span) {
+        const QRectF &plot = m_frame.plot();
+        QPen dashed = m_frame.pen(FigureRole::dimension);
+        dashed.setStyle(Qt::DashLine);
+        const double width = textWidth(span.label) + endLabelGap;
+        const bool isRight = m_frame.x(band.to) + arrowGap + width < plot.right();
+        const double arrow = isRight ? m_frame.x(band.to) + arrowGap : m_frame.x(band.from) - arrowGap;
+        const double low = m_frame.y(span.low);
+        const double high = m_frame.y(span.high);
+        p.setPen(dashed);
+        for (const double y : {low, high})
+            p.drawLine(QPointF(isRight ? m_frame.x(band.from) : arrow, y),
+                       QPointF(isRight ? arrow : m_frame.x(band.to), y));
+        QPen line = m_frame.pen(FigureRole::dimension);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
+        p.drawLine(QPointF(arrow, low), QPointF(arrow, high));
+        if (low - high > 2 * arrowLength) {
+            p.setPen(Qt::NoPen);
+            p.setBrush(m_frame.colour(FigureRole::dimension));
+            for (const auto &[tip, away] : {std::pair(low, -arrowLength), std::pair(high, arrowLength)})
+                p.drawPolygon(QPolygonF{{arrow, tip},
+                                        {arrow - arrowWidth / 2, tip + away},
+                                        {arrow + arrowWidth / 2, tip + away}});
+            p.setBrush(Qt::NoBrush);
+        }
+        const double left = isRight ? arrow + endLabelGap : arrow - width;
+        p.fillRect(QRectF(left, (low + high - figureTextSize) / 2, width - endLabelGap, figureTextSize),
+                   m_frame.colour(FigureRole::background));
+        drawText(p, {left, (low + high) / 2}, span.label, m_frame.colour(FigureRole::text));
     }
 
     /// Draws labels at the ends of the lines; those at the edge are kept apart.

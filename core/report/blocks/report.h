@@ -290,7 +290,8 @@ struct VerdictLine {
     VerdictStatement limits;
     VerdictStatement accordance;
     QString anchor = {};
-    bool large = false; ///< for a whole report
+    bool large = false;      ///< for a whole report
+    bool interprets = false; ///< main result of an interpretation, no verdict on a test or report
 
     bool operator==(const VerdictLine &) const = default;
 };

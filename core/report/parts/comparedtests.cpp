@@ -325,6 +325,7 @@ VerdictLine decisionLine(const TestComparison &comparison, const Language &langu
     const auto word = wordOfAll(comparison);
     if (!word)
         return line;
+    line.interprets = true;
     line.mark = markOf(*word);
     line.label = write.text(REPORT_TEXT_FOR("report", "Decision", "on two tests"));
     line.word = write.text(changeText(*word)).toUpper();

@@ -358,18 +358,7 @@ TestHead thermalHead(const Writer &write, const EvaluatedDocument &evaluated, st
     left.add(REPORT_TEXT("report", "Machine"), machineText(document.machine));
     left.add(REPORT_TEXT("report", "Serial number"), document.machine.serialNumber);
     left.add(REPORT_TEXT("report", "Date of test"), dateText(write, drift.date));
-    head.left = left.take();
-    LabelledRows right(write, {{}, rightLabels});
-    QStringList users;
-    for (const std::size_t user : testsTaking(document, drift.id))
-        users << joined(
-            {testName(write, *document.tests[user]), QString::fromStdString(document.tests[user]->title)});
-    right.add(REPORT_TEXT("report", "Used by"), users.join(u'\n'));
     const auto &measurement = std::get<DriftMeasurement>(drift.measurement);
-    right.add(REPORT_TEXT("report", "Points"), write.language().count(measurement.times.size()));
-    if (measurement.settled)
-        right.add(REPORT_TEXT("report", "At the beginning"),
-                  write.text(REPORT_TEXT("report", "in balance with its temperatures, as stated")));
     QStringList temperatures;
     for (const DriftTemperature &one : measurement.temperatures)
         temperatures << joined({QString::fromStdString(one.measures),
@@ -377,7 +366,18 @@ TestHead thermalHead(const Writer &write, const EvaluatedDocument &evaluated, st
                                     ? write.say(REPORT_TEXT("report", "resolution %1"),
                                                 {Number{*one.resolution, Quantity::temperature, -1}})
                                     : QString()});
-    right.add(REPORT_TEXT("report", "Temperatures"), temperatures.join(u'\n'), false);
+    left.add(REPORT_TEXT("report", "Temperatures"), temperatures.join(u'\n'), false);
+    head.left = left.take();
+    LabelledRows right(write, {{}, rightLabels});
+    QStringList users;
+    for (const std::size_t user : testsTaking(document, drift.id))
+        users << joined(
+            {testName(write, *document.tests[user]), QString::fromStdString(document.tests[user]->title)});
+    right.add(REPORT_TEXT("report", "Used by"), users.join(u'\n'));
+    right.add(REPORT_TEXT("report", "Points"), write.language().count(measurement.times.size()));
+    if (measurement.settled)
+        right.add(REPORT_TEXT("report", "At the beginning"),
+                  write.text(REPORT_TEXT("report", "in balance with its temperatures, as stated")));
     head.right = right.take();
     return head;
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace palmer {
 
@@ -73,6 +74,12 @@ LineFigure overTime(const DriftMeasurement &drift, const Text &title, const Text
     figure.y.quantity = language.text(quantity);
     figure.y.unit = unit;
     return figure;
+}
+
+std::optional<FigureBand> bandOf(const DriftMeasurement &drift, const std::optional<Variation> &worst) {
+    const double perSecond = 1 / timeScale(drift).seconds;
+    return worst ? std::optional(FigureBand{worst->from * perSecond, worst->to * perSecond, {}})
+                 : std::nullopt;
 }
 
 std::vector<QPointF> pointsOf(const std::vector<double> &times,
@@ -214,23 +221,23 @@ LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<Therma
                                                    {}}),
                                 std::move(points)});
     }
+    figure.band = bandOf(drift, worst);
     if (worst) {
-        const double from = worst->from * perSecond;
-        const double to = worst->to * perSecond;
-        const double low = worst->low * scale;
-        const double high = worst->high * scale;
-        figure.lines.push_back(
-            {LineRole::clockwise,
-             {},
-             language.sentence({REPORT_TEXT("report", "largest range within the duration: %1"),
-                                {Number{worst->value, quantity, 1}},
-                                {}}),
-             {{from, low}, {from, high}, {to, high}, {to, low}, {from, low}}});
+        const std::string name =
+            shown && *shown < channels.size() ? channels[*shown].channel.name : std::string();
+        figure.band->label =
+            language.sentence({REPORT_TEXT("report", "the %1 in which %2 varies most"),
+                               {durationText(worst->to - worst->from, language).toStdString(), name},
+                               {}});
+        figure.span =
+            FigureSpan{worst->low * scale, worst->high * scale,
+                       language.number(worst->value, quantity, 1) + QChar::Nbsp + language.unit(quantity)};
     }
     return finished(std::move(figure), language);
 }
 
-LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &language) {
+LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &language,
+                             const std::optional<Variation> &worst) {
     LineFigure figure = overTime(drift, REPORT_TEXT("report", "Temperatures"),
                                  REPORT_TEXT("report", "Temperature"), QStringLiteral("°C"), language);
     for (std::size_t i = 0; i < drift.temperatures.size(); ++i) {
@@ -241,6 +248,7 @@ LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &lang
              {},
              pointsOf(drift.times, drift.temperatures[i].values, 1 / timeScale(drift).seconds, 1)});
     }
+    figure.band = bandOf(drift, worst);
     return finished(std::move(figure), language);
 }
 
@@ -394,6 +402,62 @@ QStringList thermalNotes(const DriftMeasurement &drift, const std::vector<Therma
     return notes;
 }
 
+namespace {
+
+/// What the drift costs a test, and where it comes from.
+VerdictLine causeLine(const DriftMeasurement &drift, const ThermalChannel &channel, const DriftCases &cases,
+                      bool angular, const Language &language) {
+    const Writer write(language);
+    const Quantity quantity = angular ? Quantity::angularDeviation : Quantity::deviation;
+    const auto caseOf = [&](DriftCase::Kind kind) {
+        return std::ranges::find(cases.cases, kind, &DriftCase::kind);
+    };
+    const auto tested = caseOf(DriftCase::asTested);
+    VerdictLine line;
+    line.interprets = true;
+    if (tested == cases.cases.end())
+        return line;
+    line.label =
+        tested->lasts
+            ? write.say(REPORT_TEXT("report", "Variation of %1 in %2"),
+                        {channel.channel.name, durationText(tested->lasts, language).toStdString()})
+            : write.say(REPORT_TEXT("report", "Variation of %1, whole record"), {channel.channel.name});
+    line.word = write.quantity(tested->variation, quantity, 1);
+    const std::string parameter = cases.parameters.empty() ? std::string() : cases.parameters.front();
+    line.limits.label = write.text(REPORT_TEXT_FOR("report", "Share", "of the drift in an uncertainty"));
+    if (tested->share && tested->expanded.front())
+        line.limits.state = write.say(
+            REPORT_TEXT("report", "%1 of U²(%2)"),
+            {write.quantity(*tested->share * percent, Quantity::percent, 0).toStdString(), parameter});
+    QStringList expanded;
+    if (tested->expanded.front())
+        expanded << QStringLiteral("U(%1) = ").arg(QString::fromStdString(parameter)) +
+                        write.quantity(*tested->expanded.front(), quantity, 1);
+    if (const auto none = caseOf(DriftCase::none); none != cases.cases.end() && none->expanded.front())
+        expanded << write.say(REPORT_TEXT("report", "without drift %1"),
+                              {write.quantity(*none->expanded.front(), quantity, 1).toStdString()});
+    line.limits.text = expanded.join(language.semicolon());
+    line.accordance.label = write.text(REPORT_TEXT_FOR("report", "Cause", "of the drift"));
+    const double scale = unitScale(quantity, language.units());
+    if (!channel.best) {
+        line.accordance.state =
+            write.text(drift.temperatures.empty() ? REPORT_TEXT("report", "no temperature was recorded")
+                                                  : noResponseText(channel.responses.front().state));
+        return line;
+    }
+    const ThermalResponse &response = channel.responses[*channel.best];
+    line.accordance.state = QString::fromStdString(drift.temperatures[*channel.best].measures) +
+                            QStringLiteral(", ") + valueText(response.k, response.kRange, scale, language) +
+                            QChar::Nbsp + language.unit(quantity) + QStringLiteral("/°C");
+    line.accordance.text = QStringLiteral("(%1), τ = %2\u00A0min (%3)")
+                               .arg(intervalText(response.kRange, scale, language),
+                                    valueText(response.tau, response.tauRange, 1 / minute, language),
+                                    intervalText(response.tauRange, 1 / minute, language));
+    return line;
+}
+
+} // namespace
+
 std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t test,
                                  const Language &language) {
     const Writer write(language);
@@ -403,17 +467,42 @@ std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t
     const auto named = std::ranges::find(channels, drift.axis.name,
                                          [](const ThermalChannel &one) { return one.channel.name; });
     const auto shown = static_cast<std::size_t>(named == channels.end() ? 0 : named - channels.begin());
-    constexpr double driftHeight = 42; // mm
-    constexpr double temperatureHeight = 28;
+    constexpr double driftHeight = 40; // mm
+    constexpr double leastDrift = 35;
+    constexpr double temperatureHeight = 26;
+    constexpr double leastTemperature = 23;
+    constexpr double variationHeight = 40;
     constexpr double half = 80;
     const bool hasTemperatures = !drift.temperatures.empty();
-    addHeading(blocks, write.text(hasTemperatures ? REPORT_TEXT("report", "Drift and temperatures")
-                                                  : REPORT_TEXT("report", "Drift")));
-    blocks.emplace_back(
-        FigureBlock{channelFigure(drift, channels, shown, language), textWidth, driftHeight, driftHeight});
+    const std::vector<std::size_t> users =
+        testsTaking(*evaluated.document, evaluated.document->tests[test]->id);
+    std::optional<Variation> worst;
+    if (!users.empty() && !channels.empty()) {
+        const Test &taking = *evaluated.document->tests[users.front()];
+        if (taking.duration) // otherwise the window is the whole record
+            worst = driftVariation(*evaluated.document, evaluated.document->tests[test]->id, taking);
+        const DriftCases cases = driftCases(evaluated, users.front());
+        if (!cases.cases.empty())
+            blocks.emplace_back(
+                causeLine(drift, channels[shown], cases, motionOf(taking) == Motion::rotary, language));
+    }
+    LineFigure drawn = channelFigure(drift, channels, shown, language, worst);
+    Phrase note;
+    for (FigureLine &line : drawn.lines) { // a legend would take a row
+        if (line.role == LineRole::fitted)
+            note = write.say(REPORT_TEXT("report", "thin black line: %1"),
+                             {std::exchange(line.name, {}).toStdString()});
+    }
     if (hasTemperatures)
-        blocks.emplace_back(
-            FigureBlock{temperatureFigure(drift, language), textWidth, temperatureHeight, temperatureHeight});
+        drawn.x.quantity.clear(); // the figure below has the same axis
+    addHeading(blocks,
+               write.text(hasTemperatures ? REPORT_TEXT("report", "Drift and temperatures")
+                                          : REPORT_TEXT("report", "Drift")),
+               note);
+    blocks.emplace_back(FigureBlock{std::move(drawn), textWidth, driftHeight, leastDrift});
+    if (hasTemperatures)
+        blocks.emplace_back(FigureBlock{temperatureFigure(drift, language, worst), textWidth,
+                                        temperatureHeight, leastTemperature});
     QStringList ranges;
     for (const ThermalChannel &one : channels) {
         if (one.whole)
@@ -422,7 +511,7 @@ std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t
     }
     LineFigure variation = variationFigure(drift, language);
     std::vector<Part> left{Heading{2, variation.title}};
-    left.emplace_back(FigureBlock{std::move(variation), half, driftHeight, driftHeight});
+    left.emplace_back(FigureBlock{std::move(variation), half, variationHeight, variationHeight});
     std::vector<Part> right;
     if (hasTemperatures) {
         right.emplace_back(Heading{2, write.text(REPORT_TEXT("report", "Response to the temperature")),
@@ -434,7 +523,8 @@ std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t
                                                {ranges.join(language.semicolon()).toStdString()}),
                                      TextSize::small});
     blocks.emplace_back(SideBySide{std::move(left), std::move(right), half});
-    for (const std::size_t user : testsTaking(*evaluated.document, evaluated.document->tests[test]->id)) {
+    QString caseNote;
+    for (const std::size_t user : users) {
         const DriftCases cases = driftCases(evaluated, user);
         if (cases.cases.empty())
             continue;
@@ -442,9 +532,12 @@ std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t
         addHeading(blocks, write.text(REPORT_TEXT("report", "What the drift explains")),
                    joined({testName(write, taking), QString::fromStdString(taking.title)}));
         blocks.emplace_back(driftCaseTable(cases, motionOf(taking) == Motion::rotary, language));
-        blocks.emplace_back(Paragraph{driftCaseNote(cases, language), TextSize::small});
+        caseNote = driftCaseNote(cases, language);
     }
-    if (const QStringList notes = thermalNotes(drift, channels, language); !notes.isEmpty())
+    QStringList notes = thermalNotes(drift, channels, language);
+    if (!caseNote.isEmpty())
+        notes.prepend(caseNote);
+    if (!notes.isEmpty())
         blocks.emplace_back(Paragraph{notes.join(u' '), TextSize::small});
     return blocks;
 }

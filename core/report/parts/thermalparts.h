@@ -19,13 +19,14 @@ namespace palmer {
 [[nodiscard]] bool hasThermalPage(const Test &test);
 
 /// The channels of a drift test over its time, the temperatures, and E_VE over the duration of a window. With
-/// the response of the channel `shown` to its best temperature, if it has one, and a frame around the window
-/// of the largest range, `worst`.
+/// the response of the channel `shown` to its best temperature, if it has one, and a band over the window of
+/// its largest range, `worst`.
 [[nodiscard]] LineFigure channelFigure(const DriftMeasurement &drift,
                                        const std::vector<ThermalChannel> &channels,
                                        std::optional<std::size_t> shown, const Language &language,
                                        const std::optional<Variation> &worst = {});
-[[nodiscard]] LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &language);
+[[nodiscard]] LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &language,
+                                           const std::optional<Variation> &worst = {});
 [[nodiscard]] LineFigure variationFigure(const DriftMeasurement &drift, const Language &language);
 
 /// Channel, temperature, k, τ, b, residual with intervals of 95 %, a row per channel; a sentence where the
