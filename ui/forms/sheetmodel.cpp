@@ -148,6 +148,10 @@ QVariant SheetModel::data(const QModelIndex &index, int role) const {
     case guardRole:
         return column == picture && m_pictures[row].guard ? QVariant::fromValue(*m_pictures[row].guard)
                                                           : QVariant();
+    case iconRole: {
+        const QString icon = verdictMark(verdictOfRow(m_results[row].state)).icon;
+        return column == verdict && !icon.isEmpty() ? QVariant(icon) : QVariant();
+    }
     default:
         return {};
     }

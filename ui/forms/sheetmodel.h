@@ -21,7 +21,8 @@ class SheetModel : public QAbstractTableModel {
 
 public:
     enum Column { picture = sheetColumns, verdict, source, columns };
-    enum Role { guardRole = Qt::UserRole + 40 }; ///< Guard of the picture; invalid: none
+    /// Guard of the picture, name of the icon of the verdict; invalid: none.
+    enum Role { guardRole = Qt::UserRole + 40, iconRole };
 
     using QAbstractTableModel::QAbstractTableModel;
 

@@ -28,10 +28,10 @@ namespace palmer::ui {
 namespace {
 
 constexpr const char *sheetContext = "palmer::ui::SheetPage";
-constexpr std::array columnWidths{52, 200, 120, 72, 60, 56, 110, 80, 72, 72, 104, 96};
+constexpr std::array columnWidths{52, 184, 120, 72, 60, 56, 110, 80, 72, 72, 120, 96};
 constexpr int mostForObject = 200; ///< more than that, in wide windows
 
-/// The guard picture of a row; else its text.
+/// The guard picture of a row, its verdict behind its icon; else the text.
 class SheetDelegate : public QuietDelegate {
 public:
     using QuietDelegate::QuietDelegate;
@@ -39,6 +39,16 @@ public:
 protected:
     void paintContent(QPainter &painter, const QStyleOptionViewItem &option,
                       const QModelIndex &index) const override {
+        if (const QVariant icon = index.data(SheetModel::iconRole); icon.isValid()) {
+            constexpr int iconWidth = 18;
+            const QRect &cell = option.rect;
+            drawLineIcon(painter, QRect(cell.left() + tablePadding, cell.top(), iconWidth - 4, cell.height()),
+                         icon.toString(), index.data(Qt::ForegroundRole).value<QColor>());
+            QStyleOptionViewItem behind = option;
+            behind.rect.setLeft(cell.left() + iconWidth);
+            QuietDelegate::paintContent(painter, behind, index);
+            return;
+        }
         const QVariant guard = index.data(SheetModel::guardRole);
         if (!guard.isValid()) {
             QuietDelegate::paintContent(painter, option, index);
