@@ -15,7 +15,7 @@ void loadFonts();
 /// The font family of figures and reports, by a name of the program's own that no font of the system has.
 [[nodiscard]] QString paperFamily();
 
-/// What others call it, for files that name their fonts instead of carrying them.
+/// The name that others give it, for files that name their fonts instead of carrying them.
 [[nodiscard]] QString printedFamily();
 
 /// The paper font at a size in pixels of its painter, which are points if the painter is scaled to points.

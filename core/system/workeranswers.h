@@ -8,7 +8,7 @@
 
 namespace palmer {
 
-/// What a worker sends: this header, then the bytes that it counts.
+/// Header of an answer of a worker; the bytes that it counts follow.
 struct WorkerAnswer {
     static constexpr std::int32_t atWork = -1; ///< in place of a code: the input was started
 

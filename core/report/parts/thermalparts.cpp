@@ -404,7 +404,7 @@ QStringList thermalNotes(const DriftMeasurement &drift, const std::vector<Therma
 
 namespace {
 
-/// What the drift costs a test, and where it comes from.
+/// Variation within the test, its share of U² and its origin.
 VerdictLine causeLine(const DriftMeasurement &drift, const ThermalChannel &channel, const DriftCases &cases,
                       bool angular, const Language &language) {
     const Writer write(language);

@@ -56,7 +56,7 @@ public:
         m_wasThere = old.exists();
         if (m_wasThere && !old.isWritable())
             return;
-        // What a program that was killed left there is overwritten.
+        // A file that a killed program left there is overwritten.
         QFile file(m_beside);
         m_named = file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered);
         m_complete = m_named && file.write(bytes) == bytes.size() && isOnDisk(file.handle());

@@ -96,7 +96,7 @@ public:
         ::_close(file);
     }
 
-    /// What was printed since the last call.
+    /// The output since the last call.
     [[nodiscard]] QByteArray take() const {
         std::fflush(m_stream);
         const int file = ::_fileno(m_stream);
