@@ -8,9 +8,9 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QEventLoop>
 #include <QProcess>
 #include <QProcessEnvironment>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -205,16 +205,14 @@ public:
     }
 
     void listen(FinishedJobs &ended) {
-        QEventLoop loop;
-        bool hasNews = false;
-        for (const Worker &worker : m_workers) {
-            QProcess *process = worker.process.get();
-            hasNews = hasNews || process->bytesAvailable() > 0 || process->state() == QProcess::NotRunning;
-            QObject::connect(process, &QProcess::readyReadStandardOutput, &loop, &QEventLoop::quit);
-            QObject::connect(process, &QProcess::finished, &loop, &QEventLoop::quit);
+        // Asked in turn, not awaited in an event loop, where the news of some bytes did not arrive.
+        constexpr int pause = 10; // ms
+        const auto hasNews = [](const Worker &worker) {
+            return worker.process->bytesAvailable() > 0 || worker.process->waitForReadyRead(pause) ||
+                   worker.process->state() == QProcess::NotRunning;
+        };
+        while (std::ranges::none_of(m_workers, hasNews)) {
         }
-        if (!hasNews)
-            loop.exec();
         for (std::size_t i = m_workers.size(); i-- > 0;) {
             Worker &worker = m_workers[i];
             worker.bytes += worker.process->readAllStandardOutput();
