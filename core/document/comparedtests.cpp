@@ -13,6 +13,7 @@
 #include <deque>
 #include <mutex>
 #include <numbers>
+#include <utility>
 
 namespace palmer {
 
@@ -113,6 +114,12 @@ std::vector<ComparedPath> comparedPaths(const PlacedTest &before, const PlacedTe
     return result;
 }
 
+bool precedes(const Test &test, const Test &other) {
+    if (test.role != TestRole::notStated && other.role != TestRole::notStated && test.role != other.role)
+        return test.role == TestRole::asFound;
+    return test.date && other.date && *test.date < *other.date;
+}
+
 std::shared_ptr<const StatedComparison> statedComparison(const EvaluatedDocument &evaluated,
                                                          std::size_t test) {
     const auto &tests = evaluated.document->tests;
@@ -140,9 +147,13 @@ std::shared_ptr<const StatedComparison> statedComparison(const EvaluatedDocument
     }
     StatedComparison result;
     result.other = static_cast<std::size_t>(found - tests.begin());
+    result.before = result.other;
+    result.after = test;
+    if (precedes(*tests[test], *tests[result.other]))
+        std::swap(result.before, result.after);
     result.options.tolerance = stated->tolerance;
     result.options.setUpUntouched = stated->setUpUntouched;
-    result.comparison = compare({&evaluated, result.other}, {&evaluated, test}, result.options);
+    result.comparison = compare({&evaluated, result.before}, {&evaluated, result.after}, result.options);
     auto shared = std::make_shared<const StatedComparison>(std::move(result));
     const std::scoped_lock lock(mutex);
     latest.push_front({evaluated.document, test, shared});

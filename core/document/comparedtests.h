@@ -28,10 +28,17 @@ struct PlacedTest {
 [[nodiscard]] TestComparison compare(const PlacedTest &before, const PlacedTest &after,
                                      const ComparisonOptions &options = {});
 
-/// The comparison that a test states (`comparedWith`): the other test, how, and what comes out. Computed once
-/// for a document; may be called from any thread.
+/// True if a test was carried out before the other: by their roles (as found, as left), otherwise by their
+/// dates.
+[[nodiscard]] bool precedes(const Test &test, const Test &other);
+
+/// The comparison that a test states (`comparedWith`): which test came first, how, and what comes out. The
+/// other test is the one before, unless it is known to be the later one. Computed once for a document; may be
+/// called from any thread.
 struct StatedComparison {
-    std::size_t other = 0; ///< the test before
+    std::size_t other = 0; ///< the test that is named
+    std::size_t before = 0;
+    std::size_t after = 0;
     ComparisonOptions options;
     TestComparison comparison;
 };

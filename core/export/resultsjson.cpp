@@ -270,14 +270,15 @@ void addTargets(std::vector<JsonMember> &members, const PositioningMeasurement &
 void addTargets(std::vector<JsonMember> & /*members*/, const auto & /*measurement*/, const auto & /*results*/,
                 const TestEvaluation & /*evaluation*/) {}
 
-/// The comparison that a test states, with the test before; null: none.
+/// The comparison that a test states, with the test it names; null: none.
 Json comparisonOf(const EvaluatedDocument &evaluated, std::size_t index, const Language &language) {
     const auto stated = statedComparison(evaluated, index);
     if (!stated)
         return nullptr;
-    Json result{{"test", evaluated.document->tests[stated->other]->id}};
-    result.update(comparisonKeys(stated->comparison, {&evaluated, stated->other}, {&evaluated, index},
-                                 stated->options, language));
+    const auto &tests = evaluated.document->tests;
+    Json result{{"test", tests[stated->other]->id}, {"isBefore", stated->before == stated->other}};
+    result.update(comparisonKeys(stated->comparison, {&evaluated, stated->before},
+                                 {&evaluated, stated->after}, stated->options, language));
     return result;
 }
 

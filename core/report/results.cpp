@@ -306,8 +306,9 @@ Report composeResults(const EvaluatedDocument &evaluated, const Language &langua
     Report report = composer.take();
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         if (const auto stated = statedComparison(evaluated, i))
-            std::ranges::move(composeComparison(stated->comparison, {&evaluated, stated->other},
-                                                {&evaluated, i}, language, stated->options.tolerance)
+            std::ranges::move(composeComparison(stated->comparison, {&evaluated, stated->before},
+                                                {&evaluated, stated->after}, language,
+                                                stated->options.tolerance)
                                   .blocks,
                               std::back_inserter(report.blocks));
     }

@@ -286,6 +286,8 @@ void ComparisonPage::want() {
         return;
     }
     Result result{*other, {m_evaluated, m_test, {}}, {}, m_backwards->isChecked()};
+    if (precedes(*shown, *other->evaluated.document->tests[other->test]))
+        result.swapped = !result.swapped;
     if (result.swapped)
         std::swap(result.before, result.after);
     ComparisonOptions options;

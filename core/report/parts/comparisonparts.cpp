@@ -15,10 +15,13 @@ void addStatedComparisons(std::vector<Block> &blocks, const std::vector<TestPart
         if (!stated)
             continue;
         const Writer &write = part.write;
-        const PlacedTest before{&part.evaluated, stated->other};
-        const PlacedTest after{&part.evaluated, part.index};
-        const auto other = std::ranges::find(parts, stated->other, &TestPart::index);
-        TestHead head = comparisonHead(part, other == parts.end() ? part : *other);
+        const PlacedTest before{&part.evaluated, stated->before};
+        const PlacedTest after{&part.evaluated, stated->after};
+        const auto partOf = [&](std::size_t test) -> const TestPart & {
+            const auto found = std::ranges::find(parts, test, &TestPart::index);
+            return found == parts.end() ? part : *found;
+        };
+        TestHead head = comparisonHead(partOf(stated->after), partOf(stated->before));
         // Precedes the break, since the page has a head of its own.
         blocks.emplace_back(PageBreak{});
         blocks.emplace_back(

@@ -4,6 +4,7 @@
 
 #include "core/kernel/evaluation/circulardata.h"
 #include "core/kernel/evaluation/positioningdata.h"
+#include "document/comparedtests.h"
 #include "document/edits.h"
 
 #include <QTest>
@@ -464,6 +465,36 @@ private slots:
                  std::optional(Verdict::conforms));
         QCOMPARE(evaluate(documentOf({limited(0.001, asFound), driftTest("d", 0.1)})).verdict(),
                  std::optional(Verdict::doesNotConform));
+    }
+
+    /// Whichever of two tests states the comparison: after − before is never the other way round.
+    void comparedInTheOrderOfTime() {
+        using enum TestRole;
+        const auto firstIsBefore = [](TestRole first, TestRole second, const char *firstDate,
+                                      const char *secondDate, bool bySecond) {
+            Test one = axisTest();
+            Test two = axisTest();
+            one.id = "one";
+            two.id = "two";
+            one.role = first;
+            two.role = second;
+            if (firstDate)
+                one.date = firstDate;
+            if (secondDate)
+                two.date = secondDate;
+            (bySecond ? two : one).comparedWith = ComparedWith{bySecond ? "one" : "two", {}, {}};
+            const EvaluatedDocument evaluated = evaluate(documentOf({one, two}));
+            const auto stated = statedComparison(evaluated, bySecond ? 1 : 0);
+            return stated->before == 0;
+        };
+        for (const bool bySecond : {true, false}) {
+            QVERIFY(firstIsBefore(asFound, asLeft, nullptr, nullptr, bySecond));
+            QVERIFY(!firstIsBefore(asLeft, asFound, "2026-01-01", "2026-02-01", bySecond));
+            QVERIFY(firstIsBefore(notStated, notStated, "2026-01-01", "2026-02-01", bySecond));
+            QVERIFY(!firstIsBefore(notStated, asLeft, "2026-02-01", "2026-01-01", bySecond));
+            // Nothing is known: the test that is named came first.
+            QCOMPARE(firstIsBefore(notStated, notStated, nullptr, "2026-01-01", bySecond), bySecond);
+        }
     }
 };
 
