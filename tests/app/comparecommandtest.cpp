@@ -75,10 +75,11 @@ void CompareCommandTest::aFileStatesWhatItCompares() {
     const QJsonObject comparison = tests[1].toObject()["comparison"].toObject();
     QCOMPARE(comparison["test"].toString(), "found");
     QCOMPARE(comparison["word"].toString(), "better");
-    QCOMPARE(comparison.size(),
-             stated.size() - 6); // format, version, program, both sides, axis and plane; test
+    QVERIFY(comparison["isBefore"].toBool());
+    // format, version, program, both sides, axis and plane less; test and isBefore more
+    QCOMPARE(comparison.size(), stated.size() - 7 + 2);
     for (const QString &key : comparison.keys()) {
-        if (key != "test")
+        if (key != "test" && key != "isBefore")
             QCOMPARE(comparison[key], stated[key]);
     }
     const QByteArray terminal = runCli({"evaluate", both, "--language", "en"}).out;
