@@ -223,12 +223,10 @@ LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<Therma
     }
     figure.band = bandOf(drift, worst);
     if (worst) {
-        const std::string name =
-            shown && *shown < channels.size() ? channels[*shown].channel.name : std::string();
-        figure.band->label =
-            language.sentence({REPORT_TEXT("report", "the %1 in which %2 varies most"),
-                               {durationText(worst->to - worst->from, language).toStdString(), name},
-                               {}});
+        figure.band->label = language.sentence(
+            {REPORT_TEXT("report", "the %1 in which %2 varies most"),
+             {durationText(worst->to - worst->from, language).toStdString(), mainChannel(drift).name},
+             {}});
         figure.span =
             FigureSpan{worst->low * scale, worst->high * scale,
                        language.number(worst->value, quantity, 1) + QChar::Nbsp + language.unit(quantity)};
