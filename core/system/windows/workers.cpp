@@ -10,8 +10,8 @@
 #include <QDir>
 #include <QProcess>
 #include <QProcessEnvironment>
+#include <QTemporaryFile>
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
@@ -27,9 +27,10 @@ namespace palmer {
 
 namespace {
 
-/// In the environment of a worker: the name of the counter that it shares, "palmer-PROCESS-…" with the first
-/// process.
+// In the environment of a worker: the name of the counter that it shares, and the file for its answers. A
+// pipe would be shorter, but under Wine QProcess now and then does not hear of bytes in it.
 constexpr const char *counterVariable = "PALMER_WORKER";
+constexpr const char *answersVariable = "PALMER_WORKER_ANSWERS";
 
 /// Number of the next input, shared by all processes.
 class SharedCounter {
@@ -54,30 +55,6 @@ public:
 private:
     HANDLE m_mapping;
     void *m_next;
-};
-
-/// Set by the first process when it has heard all answers. Without it a worker would end while its last bytes
-/// are in the pipe, and QProcess loses some of them now and then.
-class AllHeard {
-public:
-    explicit AllHeard(const QString &name)
-        : m_event(::CreateEventW(nullptr, TRUE, FALSE,
-                                 (name + QStringLiteral("-heard")).toStdWString().c_str())) {}
-    ~AllHeard() { ::CloseHandle(m_event); }
-    AllHeard(const AllHeard &) = delete;
-    AllHeard &operator=(const AllHeard &) = delete;
-
-    void set() { ::SetEvent(m_event); }
-    /// Returns when it is set, or the first process has ended.
-    void await(DWORD first) const {
-        HANDLE process = ::OpenProcess(SYNCHRONIZE, FALSE, first);
-        const std::array<HANDLE, 2> either{m_event, process};
-        if (process)
-            ::WaitForMultipleObjects(2, either.data(), FALSE, INFINITE);
-    }
-
-private:
-    HANDLE m_event;
 };
 
 /// Takes the place of a standard stream; removed with the process.
@@ -113,14 +90,10 @@ private:
     std::FILE *m_stream;
 };
 
-int binary(int file) {
-    ::_setmode(file, _O_BINARY);
-    return file;
-}
-
 /// The streams of a worker.
 struct WorkerStreams {
-    int answers = binary(::_dup(::_fileno(stdout)));
+    int answers = ::_wopen(qEnvironmentVariable(answersVariable).toStdWString().c_str(),
+                           _O_WRONLY | _O_APPEND | _O_BINARY);
     TakenStream printed{stdout, "out"};
     TakenStream errors{stderr, "errors"};
 
@@ -150,7 +123,6 @@ const WorkerStreams &workerStreams() {
     const WorkerStreams &streams = workerStreams();
     const QString name = qEnvironmentVariable(counterVariable);
     SharedCounter next(name);
-    const AllHeard heard(name);
     static_cast<void>(streams.printed.take()); // the first process printed the same
     static_cast<void>(streams.errors.take());
     for (int input = next.claim(); input < count; input = next.claim()) {
@@ -160,16 +132,23 @@ const WorkerStreams &workerStreams() {
         job.errors = streams.errors.take();
         streams.send(bytesOf(input, job));
     }
-    heard.await(name.section(u'-', 1, 1).toULong());
     std::_Exit(0);
 }
 
 /// A worker process, as seen by the first.
 struct Worker {
+    std::unique_ptr<QTemporaryFile> answers;
     std::unique_ptr<QProcess> process;
     QByteArray bytes = {};         ///< read, but not a complete answer yet
     std::optional<int> input = {}; ///< being processed
     bool hasAnswered = false;
+
+    /// Waits a moment for it.
+    [[nodiscard]] bool hasNews() const {
+        constexpr int pause = 5; // ms
+        return answers->bytesAvailable() > 0 || process->waitForFinished(pause) ||
+               process->state() == QProcess::NotRunning;
+    }
 };
 
 } // namespace
@@ -186,10 +165,8 @@ public:
         , m_name(QStringLiteral("palmer-%1-%2")
                      .arg(::GetCurrentProcessId())
                      .arg(reinterpret_cast<quintptr>(this)))
-        , m_next(m_name)
-        , m_heard(m_name) {}
+        , m_next(m_name) {}
     ~Pool() {
-        m_heard.set();
         for (const Worker &worker : m_workers)
             worker.process->waitForFinished(-1);
     }
@@ -205,20 +182,16 @@ public:
     }
 
     void listen(FinishedJobs &ended) {
-        // Asked in turn, not awaited in an event loop, where the news of some bytes did not arrive.
-        constexpr int pause = 10; // ms
-        const auto hasNews = [](const Worker &worker) {
-            return worker.process->bytesAvailable() > 0 || worker.process->waitForReadyRead(pause) ||
-                   worker.process->state() == QProcess::NotRunning;
-        };
-        while (std::ranges::none_of(m_workers, hasNews)) {
+        while (std::ranges::none_of(m_workers, &Worker::hasNews)) {
         }
         for (std::size_t i = m_workers.size(); i-- > 0;) {
             Worker &worker = m_workers[i];
-            worker.bytes += worker.process->readAllStandardOutput();
+            const bool hasEnded =
+                worker.process->state() == QProcess::NotRunning; // before its last bytes are read
+            worker.bytes += worker.answers->readAll();
             worker.hasAnswered = worker.hasAnswered || !worker.bytes.isEmpty();
             takeAnswers(worker.bytes, worker.input, ended);
-            if (worker.process->state() != QProcess::NotRunning)
+            if (!hasEnded)
                 continue;
             if (worker.input)
                 ended.emplace(*worker.input, std::nullopt);
@@ -229,24 +202,26 @@ public:
 
 private:
     bool start() {
-        auto process = std::make_unique<QProcess>();
+        Worker worker{std::make_unique<QTemporaryFile>(), std::make_unique<QProcess>()};
+        if (!worker.answers->open())
+            return false;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QString::fromLatin1(counterVariable), m_name);
-        process->setProcessEnvironment(environment);
-        process->setInputChannelMode(QProcess::ForwardedInputChannel);
-        process->setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        process->start(QCoreApplication::applicationFilePath(),
-                       wordsOf(std::numeric_limits<int>::max(), nullptr));
-        if (!process->waitForStarted(-1))
+        environment.insert(QString::fromLatin1(answersVariable), worker.answers->fileName());
+        worker.process->setProcessEnvironment(environment);
+        worker.process->setInputChannelMode(QProcess::ForwardedInputChannel);
+        worker.process->setProcessChannelMode(QProcess::ForwardedChannels); // it redirects them itself
+        worker.process->start(QCoreApplication::applicationFilePath(),
+                              wordsOf(std::numeric_limits<int>::max(), nullptr));
+        if (!worker.process->waitForStarted(-1))
             return false;
-        m_workers.push_back({std::move(process)});
+        m_workers.push_back(std::move(worker));
         return true;
     }
 
     int m_count;
     QString m_name;
     SharedCounter m_next;
-    AllHeard m_heard;
     std::vector<Worker> m_workers;
     bool m_starts = true; ///< processes can be started
 };
