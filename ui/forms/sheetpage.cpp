@@ -4,6 +4,7 @@
 
 #include "print/pdf/marks.h"
 #include "ui/currentcell.h"
+#include "ui/errorbox.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"

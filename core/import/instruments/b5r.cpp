@@ -64,12 +64,25 @@ struct BallbarRun {
     std::vector<double> readings;
 };
 
+/// The encoding that the XML declaration names; empty: none, or not in ASCII.
+QString declaredEncoding(QByteArrayView bytes) {
+    constexpr qsizetype longestDeclaration = 256;
+    static const QRegularExpression declared(QStringLiteral("^[^>]*encoding\\s*=\\s*[\"']([^\"'>]+)"));
+    const QString begin = QString::fromLatin1(bytes.first(std::min(bytes.size(), longestDeclaration)));
+    return declared.match(begin).captured(1);
+}
+
 class BallbarReader {
 public:
     BallbarReader(QByteArrayView bytes, Choices &choices, Imported &imported)
-        : m_xml(bytes.toByteArray())
-        , m_choices(choices)
-        , m(imported) {}
+        : m_choices(choices)
+        , m(imported) {
+        // Qt decodes it only where its builder had ICU.
+        if (declaredEncoding(bytes).compare(QLatin1StringView("windows-1252"), Qt::CaseInsensitive) == 0)
+            m_xml.addData(QString::fromStdString(decodeText(bytes, Encoding::windows1252).text));
+        else
+            m_xml.addData(bytes.toByteArray());
+    }
 
     void read() {
         parse();
@@ -452,12 +465,16 @@ private:
 };
 
 void remarkEncoding(QByteArrayView bytes, Imported &imported) {
-    QXmlStreamReader xml(bytes.first(std::min<qsizetype>(bytes.size(), 256)).toByteArray());
-    xml.readNext();
-    const QStringView encoding = xml.documentEncoding();
+    QString encoding = declaredEncoding(bytes);
+    if (encoding.isEmpty()) { // in UTF-16
+        constexpr qsizetype longestDeclaration = 512;
+        QXmlStreamReader xml(bytes.first(std::min(bytes.size(), longestDeclaration)).toByteArray());
+        xml.readNext();
+        encoding = xml.documentEncoding().toString();
+    }
     if (!encoding.isEmpty() && encoding.compare(u"UTF-8", Qt::CaseInsensitive) != 0)
         imported.remarks.note({}, REPORT_TEXT("report", "Encoding: %1, as the file says."),
-                              excerpt(encoding.toString().toStdString()));
+                              excerpt(encoding.toStdString()));
 }
 
 bool isBallbarXml(QByteArrayView bytes) {

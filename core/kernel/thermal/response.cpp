@@ -109,8 +109,11 @@ public:
         , m_longest(4 * length) {
         constexpr double ratio = 1.1;
         m_points.push_back(fit.at(0));
-        for (double tau = step / 2; tau < m_longest; tau *= ratio)
+        double tau = step / 2;
+        while (tau < m_longest) {
             m_points.push_back(fit.at(tau));
+            tau *= ratio;
+        }
         m_points.push_back(fit.at(m_longest));
         const auto best = std::ranges::min_element(m_points, {}, &ResponseFit::At::squares);
         m_best = *best;
@@ -269,7 +272,7 @@ ThermalResponse thermalResponse(const ThermalRecord &given, int ofTemperatures) 
     const std::size_t rows = record.deviations.size();
     const ResponseFit fit(record);
     result.count = static_cast<std::size_t>(fit.used());
-    if (fit.used() < 2 * fit.parameters(1)) {
+    if (fit.used() < Eigen::Index{2} * fit.parameters(1)) {
         result.state = ResponseState::tooFewValues;
         return result;
     }

@@ -144,8 +144,7 @@ QString caseName(const DriftCase &one, const Language &language) {
 
 /// The table of responses for half a page: the intervals below their values.
 Table inHalf(Table table) {
-    constexpr std::size_t channel = 0, temperature = 1, k = 2, kInterval = 3, tau = 4, tauInterval = 5,
-                          slope = 6, residual = 7;
+    enum Place : std::size_t { channel, temperature, k, kInterval, tau, tauInterval, slope, residual };
     const auto &all = table.columns;
     Table half;
     half.columns = {flexibleColumn(all[channel].title, 16), all[k], all[tau], all[slope], all[residual]};

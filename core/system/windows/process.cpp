@@ -39,7 +39,7 @@ QStringList wordsOf(int argc, const char *const *) {
 
 QString localeOfUser() {
     for (const char *variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-        const QString locale = qEnvironmentVariable(variable);
+        QString locale = qEnvironmentVariable(variable);
         if (!locale.isEmpty())
             return locale;
     }
