@@ -19,8 +19,8 @@ namespace palmer {
 [[nodiscard]] bool hasThermalPage(const Test &test);
 
 /// The channels of a drift test over its time, the temperatures, and E_VE over the duration of a window. With
-/// the response of the channel `shown` to its best temperature, if it has one, and a band over the window of the
-/// largest range of the main channel, `worst`.
+/// the response of the channel `shown` to its best temperature, if it has one, and a band over the window of
+/// the largest range of the main channel, `worst`.
 [[nodiscard]] LineFigure channelFigure(const DriftMeasurement &drift,
                                        const std::vector<ThermalChannel> &channels,
                                        std::optional<std::size_t> shown, const Language &language,

@@ -492,7 +492,7 @@ private slots:
             QVERIFY(!firstIsBefore(asLeft, asFound, "2026-01-01", "2026-02-01", bySecond));
             QVERIFY(firstIsBefore(notStated, notStated, "2026-01-01", "2026-02-01", bySecond));
             QVERIFY(!firstIsBefore(notStated, asLeft, "2026-02-01", "2026-01-01", bySecond));
-            // Nothing is known: the test that is named came first.
+            // Without roles and both dates the named test came first.
             QCOMPARE(firstIsBefore(notStated, notStated, nullptr, "2026-01-01", bySecond), bySecond);
         }
     }
