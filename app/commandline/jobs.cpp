@@ -41,13 +41,13 @@ void eachJob(int count, int jobs, const Jobs &tell) {
         tell.heard(0, tell.work(0));
         return;
     }
-    Workers workers(count, tell.work);
+    const std::unique_ptr<Workers> workers = workersFor(count, tell.work);
     FinishedJobs ended; ///< not reported yet
     bool hasPrinted = false;
     int next = 0;
     while (next < count) {
-        if (workers.keepUp(jobs)) {
-            workers.listen(ended);
+        if (workers->keepUp(jobs)) {
+            workers->listen(ended);
         } else if (!ended.contains(next)) { // no process available: process it here
             tell.heard(next, tell.work(next));
             ++next;

@@ -68,23 +68,23 @@ class Staged {
 public:
     explicit Staged(const FileToSave &file)
         : m_source(file)
-        , m_staged(file.bytes, file.path) {
-        if (!m_staged.isComplete())
+        , m_staged(stageFile(file.bytes, file.path)) {
+        if (!m_staged->isComplete())
             refuseSaving(m_source.path, m_source.bytes.size());
     }
 
     /// If further files are to be renamed, keeps the existing file, if the file system exchanges names.
     void rename(bool keepOld) {
-        if (!m_staged.takeName(keepOld))
+        if (!m_staged->takeName(keepOld))
             refuseSaving(m_source.path, m_source.bytes.size());
     }
-    void restore() { m_staged.restore(); }
+    void restore() { m_staged->restore(); }
 
     [[nodiscard]] const QString &path() const { return m_source.path; }
 
 private:
     const FileToSave &m_source;
-    StagedFile m_staged;
+    std::unique_ptr<StagedFile> m_staged;
 };
 
 /// Runs `work` for one file and adds its name to errors.

@@ -33,27 +33,25 @@ void syncFolderOf(const QString &path);
 /// QSaveFile, whose names stay for ever if the program is killed.
 class StagedFile {
 public:
-    /// `path`: its destination, in an existing folder; links are followed.
-    StagedFile(const QByteArray &bytes, const QString &path);
-    ~StagedFile();
+    StagedFile() = default;
+    virtual ~StagedFile() = default;
     StagedFile(const StagedFile &) = delete;
     StagedFile &operator=(const StagedFile &) = delete;
 
     /// False if it could not be written, or the existing file must not be replaced; it cannot take its name
     /// then.
-    [[nodiscard]] bool isComplete() const;
+    [[nodiscard]] virtual bool isComplete() const = 0;
 
     /// False if the name could not be taken; what was there is unchanged. `keepOld`: keeps the existing file
     /// until the object is destroyed, if the file system can.
-    [[nodiscard]] bool takeName(bool keepOld);
+    [[nodiscard]] virtual bool takeName(bool keepOld) = 0;
 
     /// After takeName: puts back what was there, as far as it was kept.
-    void restore();
-
-private:
-    class Parts;
-    std::unique_ptr<Parts> m_parts;
+    virtual void restore() = 0;
 };
+
+/// Writes the bytes. `path`: the destination, in an existing folder; links are followed.
+[[nodiscard]] std::unique_ptr<StagedFile> stageFile(const QByteArray &bytes, const QString &path);
 
 /// Why a device or pipe could not be written.
 enum class DeviceFault { none, full, unread, refused };

@@ -17,6 +17,9 @@ namespace palmer {
 /// system says. Empty if nothing does.
 [[nodiscard]] QString localeOfUser();
 
+/// The part of it that only the system says; empty where the variables say all.
+[[nodiscard]] QString localeOfSystem();
+
 /// A file over its size limit is an error of writing, not the end of the program.
 void reportFilesTooLarge();
 

@@ -27,24 +27,23 @@ struct FinishedJob {
 using FinishedJobs = std::map<int, std::optional<FinishedJob>>;
 
 /// Processes that each take the next of the inputs 0 … count − 1 and process it, so that a crash does not
-/// affect the others. On Linux they are copies of this process; on Windows they run the same command line
-/// again, and the constructor does not return in them: nothing may be written to a file before.
+/// affect the others.
 class Workers {
 public:
-    Workers(int count, std::function<JobResult(int)> work);
-    ~Workers();
+    Workers() = default;
+    virtual ~Workers() = default;
     Workers(const Workers &) = delete;
     Workers &operator=(const Workers &) = delete;
 
     /// Starts processes while inputs are left, up to `jobs` of them; false if none is running.
-    bool keepUp(int jobs);
+    virtual bool keepUp(int jobs) = 0;
 
     /// Waits until a process says something; adds what has ended.
-    void listen(FinishedJobs &ended);
-
-private:
-    class Pool;
-    std::unique_ptr<Pool> m_pool;
+    virtual void listen(FinishedJobs &ended) = 0;
 };
+
+/// On Linux they are copies of this process; on Windows they run the same command line again, and this does
+/// not return in them: nothing may be written to a file before.
+[[nodiscard]] std::unique_ptr<Workers> workersFor(int count, std::function<JobResult(int)> work);
 
 } // namespace palmer

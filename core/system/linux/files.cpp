@@ -105,9 +105,11 @@ DeviceFault writeDevice(const QByteArray &bytes, const QString &path, bool await
     return device.number() >= 0 && writeAll(bytes, device) ? DeviceFault::none : faultOf(errno);
 }
 
-class StagedFile::Parts {
+namespace {
+
+class FileOnDisk : public StagedFile {
 public:
-    Parts(const QByteArray &bytes, const QString &path)
+    FileOnDisk(const QByteArray &bytes, const QString &path)
         : m_path(linkTarget(path))
         , m_beside(nameWhileSaving(m_path))
         , m_file(withoutName(m_path)) {
@@ -128,20 +130,20 @@ public:
         if (!m_complete)
             forget();
     }
-    ~Parts() { forget(); }
-    Parts(const Parts &) = delete;
-    Parts &operator=(const Parts &) = delete;
+    ~FileOnDisk() override { forget(); }
+    FileOnDisk(const FileOnDisk &) = delete;
+    FileOnDisk &operator=(const FileOnDisk &) = delete;
 
-    [[nodiscard]] bool isComplete() const { return m_complete; }
+    [[nodiscard]] bool isComplete() const override { return m_complete; }
 
-    [[nodiscard]] bool takeName(bool keepOld) {
+    [[nodiscard]] bool takeName(bool keepOld) override {
         m_keepsOld = keepOld && m_wasThere && takeNameBeside() &&
                      ::renameat2(AT_FDCWD, encoded(m_beside).constData(), AT_FDCWD,
                                  encoded(m_path).constData(), RENAME_EXCHANGE) == 0;
         return m_keepsOld || replace();
     }
 
-    void restore() {
+    void restore() override {
         if (!m_wasThere)
             removeFile(m_path);
         else if (m_keepsOld)
@@ -202,21 +204,10 @@ private:
     bool m_keepsOld = false; ///< which is what was there
 };
 
-StagedFile::StagedFile(const QByteArray &bytes, const QString &path)
-    : m_parts(std::make_unique<Parts>(bytes, path)) {}
+} // namespace
 
-StagedFile::~StagedFile() = default;
-
-bool StagedFile::isComplete() const {
-    return m_parts->isComplete();
-}
-
-bool StagedFile::takeName(bool keepOld) {
-    return m_parts->takeName(keepOld);
-}
-
-void StagedFile::restore() {
-    m_parts->restore();
+std::unique_ptr<StagedFile> stageFile(const QByteArray &bytes, const QString &path) {
+    return std::make_unique<FileOnDisk>(bytes, path);
 }
 
 } // namespace palmer

@@ -23,12 +23,7 @@ QStringList wordsOf(int argc, const char *const *argv) {
     return words;
 }
 
-QString localeOfUser() {
-    for (const char *variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-        QString locale = qEnvironmentVariable(variable);
-        if (!locale.isEmpty())
-            return locale;
-    }
+QString localeOfSystem() {
     return {};
 }
 

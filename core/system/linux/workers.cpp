@@ -95,21 +95,19 @@ struct Worker {
     std::optional<int> input = {}; ///< being processed
 };
 
-} // namespace
-
-class Workers::Pool {
+class Pool : public Workers {
 public:
     Pool(int count, std::function<JobResult(int)> work)
         : m_count(count)
         , m_work(std::move(work)) {}
-    ~Pool() {
+    ~Pool() override {
         for (const Worker &worker : m_workers)
             end(worker);
     }
     Pool(const Pool &) = delete;
     Pool &operator=(const Pool &) = delete;
 
-    bool keepUp(int jobs) {
+    bool keepUp(int jobs) override {
         while (std::cmp_less(m_workers.size(), jobs) && m_next.claimed() < m_count) {
             if (!start())
                 break;
@@ -117,7 +115,7 @@ public:
         return !m_workers.empty();
     }
 
-    void listen(FinishedJobs &ended) {
+    void listen(FinishedJobs &ended) override {
         std::vector<pollfd> pipes;
         for (const Worker &worker : m_workers)
             pipes.push_back({worker.pipe, POLLIN, 0});
@@ -176,17 +174,10 @@ private:
     std::vector<Worker> m_workers;
 };
 
-Workers::Workers(int count, std::function<JobResult(int)> work)
-    : m_pool(std::make_unique<Pool>(count, std::move(work))) {}
+} // namespace
 
-Workers::~Workers() = default;
-
-bool Workers::keepUp(int jobs) {
-    return m_pool->keepUp(jobs);
-}
-
-void Workers::listen(FinishedJobs &ended) {
-    m_pool->listen(ended);
+std::unique_ptr<Workers> workersFor(int count, std::function<JobResult(int)> work) {
+    return std::make_unique<Pool>(count, std::move(work));
 }
 
 } // namespace palmer

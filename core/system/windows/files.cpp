@@ -47,9 +47,11 @@ DeviceFault writeDevice(const QByteArray &bytes, const QString &path, bool) {
     return device.error() == QFileDevice::ResourceError ? DeviceFault::full : DeviceFault::refused;
 }
 
-class StagedFile::Parts {
+namespace {
+
+class FileOnDisk : public StagedFile {
 public:
-    Parts(const QByteArray &bytes, const QString &path)
+    FileOnDisk(const QByteArray &bytes, const QString &path)
         : m_path(linkTarget(path))
         , m_beside(nameWhileSaving(m_path)) {
         const QFileInfo old(m_path);
@@ -64,13 +66,13 @@ public:
         if (!m_complete)
             forget();
     }
-    ~Parts() { forget(); }
-    Parts(const Parts &) = delete;
-    Parts &operator=(const Parts &) = delete;
+    ~FileOnDisk() override { forget(); }
+    FileOnDisk(const FileOnDisk &) = delete;
+    FileOnDisk &operator=(const FileOnDisk &) = delete;
 
-    [[nodiscard]] bool isComplete() const { return m_complete; }
+    [[nodiscard]] bool isComplete() const override { return m_complete; }
 
-    [[nodiscard]] bool takeName(bool keepOld) {
+    [[nodiscard]] bool takeName(bool keepOld) override {
         m_keepsOld = keepOld && m_wasThere &&
                      ::ReplaceFileW(longName(m_path).c_str(), longName(m_beside).c_str(),
                                     longName(oldName()).c_str(), 0, nullptr, nullptr) != 0;
@@ -78,7 +80,7 @@ public:
         return !m_named;
     }
 
-    void restore() {
+    void restore() override {
         if (!m_wasThere)
             QFile::remove(m_path);
         else if (m_keepsOld)
@@ -104,21 +106,10 @@ private:
     bool m_keepsOld = false; ///< it has its old name
 };
 
-StagedFile::StagedFile(const QByteArray &bytes, const QString &path)
-    : m_parts(std::make_unique<Parts>(bytes, path)) {}
+} // namespace
 
-StagedFile::~StagedFile() = default;
-
-bool StagedFile::isComplete() const {
-    return m_parts->isComplete();
-}
-
-bool StagedFile::takeName(bool keepOld) {
-    return m_parts->takeName(keepOld);
-}
-
-void StagedFile::restore() {
-    m_parts->restore();
+std::unique_ptr<StagedFile> stageFile(const QByteArray &bytes, const QString &path) {
+    return std::make_unique<FileOnDisk>(bytes, path);
 }
 
 } // namespace palmer

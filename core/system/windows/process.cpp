@@ -37,12 +37,7 @@ QStringList wordsOf(int argc, const char *const *) {
     return words;
 }
 
-QString localeOfUser() {
-    for (const char *variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-        QString locale = qEnvironmentVariable(variable);
-        if (!locale.isEmpty())
-            return locale;
-    }
+QString localeOfSystem() {
     return QLocale::system().uiLanguages().value(0);
 }
 

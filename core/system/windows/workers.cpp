@@ -158,7 +158,9 @@ void prepareAsWorker() {
         workerStreams();
 }
 
-class Workers::Pool {
+namespace {
+
+class Pool : public Workers {
 public:
     explicit Pool(int count)
         : m_count(count)
@@ -166,14 +168,14 @@ public:
                      .arg(::GetCurrentProcessId())
                      .arg(reinterpret_cast<quintptr>(this)))
         , m_next(m_name) {}
-    ~Pool() {
+    ~Pool() override {
         for (const Worker &worker : m_workers)
             worker.process->waitForFinished(-1);
     }
     Pool(const Pool &) = delete;
     Pool &operator=(const Pool &) = delete;
 
-    bool keepUp(int jobs) {
+    bool keepUp(int jobs) override {
         while (m_starts && std::cmp_less(m_workers.size(), jobs) && m_next.claimed() < m_count) {
             if (!start())
                 break;
@@ -181,7 +183,7 @@ public:
         return !m_workers.empty();
     }
 
-    void listen(FinishedJobs &ended) {
+    void listen(FinishedJobs &ended) override {
         while (std::ranges::none_of(m_workers, &Worker::hasNews)) {
         }
         for (std::size_t i = m_workers.size(); i-- > 0;) {
@@ -226,20 +228,12 @@ private:
     bool m_starts = true; ///< processes can be started
 };
 
-Workers::Workers(int count, std::function<JobResult(int)> work) {
+} // namespace
+
+std::unique_ptr<Workers> workersFor(int count, std::function<JobResult(int)> work) {
     if (isWorker())
         serve(count, work);
-    m_pool = std::make_unique<Pool>(count);
-}
-
-Workers::~Workers() = default;
-
-bool Workers::keepUp(int jobs) {
-    return m_pool->keepUp(jobs);
-}
-
-void Workers::listen(FinishedJobs &ended) {
-    m_pool->listen(ended);
+    return std::make_unique<Pool>(count);
 }
 
 } // namespace palmer
