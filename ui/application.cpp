@@ -28,16 +28,18 @@ constexpr auto enlarged = "enlarged";
 /// of a font may be that of a kind of fonts.
 bool isReplaced(const QFont &font) {
     return QGuiApplication::platformName() == QLatin1StringView("windows") &&
-           !QFontDatabase::hasFamily(font.family());
+           QFontDatabase::styles(font.family()).isEmpty(); // its name alone is always known
 }
 
 /// Signs that no font of the machine may have (⚠, ✓, ↺) come from one of the program, and letters from that
 /// of the reports if the machine has no font at all.
 void addFonts() {
     QFont font = QApplication::font();
-    if (isReplaced(font) || QRawFont::fromFont(font).fontTable("cmap").isEmpty()) { // Qt's boxes
+    if (QRawFont::fromFont(font).fontTable("cmap").isEmpty()) { // Qt's boxes
         font.setFamily(paperFamily());
         QApplication::setFont(font);
+    } else if (isReplaced(font)) {
+        QFont::insertSubstitution(font.family(), paperFamily()); // that of menus as well
     }
     const int signs = QFontDatabase::addApplicationFont(QStringLiteral(":/signs/PalmerSigns.ttf"));
     QFont::insertSubstitutions(font.family(), QFontDatabase::applicationFontFamilies(signs));
