@@ -742,6 +742,13 @@ void takeAlong(Strips &above) {
         above[i].withNext = true;
 }
 
+Strips partStrips(const std::vector<Part> &parts, double width, double tallest) {
+    std::vector<Block> blocks;
+    for (const Part &part : parts)
+        std::visit([&](const auto &block) { blocks.emplace_back(block); }, part);
+    return blockStrips(blocks, width, tallest);
+}
+
 class StripMaker {
 public:
     StripMaker(double width, double tallest, bool narrow)
@@ -768,8 +775,8 @@ public:
     Strips operator()(const SideBySide &columns) const {
         const double leftWidth = columns.leftWidth * mm;
         const double rightAt = leftWidth + columns.gap * mm;
-        const Strips left = partStrips(columns.left, leftWidth);
-        const Strips right = partStrips(columns.right, m_width - rightAt);
+        const Strips left = partStrips(columns.left, leftWidth, m_tallest);
+        const Strips right = partStrips(columns.right, m_width - rightAt, m_tallest);
         Strips result = besideEachOther(left, right, rightAt, m_tallest);
         if (result.size() == 1 && !left.empty() && left.back().drawOf) {
             // The figure shrinks as far as the other column allows.
@@ -834,19 +841,52 @@ public:
     }
 
 private:
-    [[nodiscard]] Strips partStrips(const std::vector<Part> &parts, double width) const {
-        std::vector<Block> blocks;
-        for (const Part &part : parts)
-            std::visit([&](const auto &block) { blocks.emplace_back(block); }, part);
-        return blockStrips(blocks, width, m_tallest);
-    }
-
     double m_width;
     double m_tallest;
     bool m_narrow;
 };
 
 } // namespace
+
+void levelColumns(SideBySide &both, double width, double tallest) {
+    if (!both.levelled)
+        return;
+    const auto taken = [](std::vector<Part> &column) {
+        KeyValues rows = std::get<KeyValues>(std::move(column.back()));
+        column.pop_back();
+        return rows;
+    };
+    KeyValues left = taken(both.left);
+    KeyValues right = taken(both.right);
+    left.rows.insert(left.rows.end(), right.rows.begin(), right.rows.end());
+    right.rows.clear();
+    const double leftWidth = both.leftWidth * mm;
+    const double rightWidth = width - leftWidth - both.gap * mm;
+    const auto heightIn = [&](KeyValues column, const KeyValue &row, double columnWidth) {
+        column.rows = {row};
+        const Strips strips = keyValueStrips(column, columnWidth);
+        return heightOf(strips) + strips.front().gap;
+    };
+    double ofLeft = heightOf(partStrips(both.left, leftWidth, tallest));
+    double ofRight = heightOf(partStrips(both.right, rightWidth, tallest));
+    for (const KeyValue &row : left.rows)
+        ofLeft += heightIn(left, row, leftWidth);
+    double least = std::max(ofLeft, ofRight);
+    std::size_t kept = left.rows.size();
+    for (std::size_t i = left.rows.size(); i-- > 0;) {
+        ofLeft -= heightIn(left, left.rows[i], leftWidth);
+        ofRight += heightIn(right, left.rows[i], rightWidth);
+        if (std::max(ofLeft, ofRight) < least) {
+            least = std::max(ofLeft, ofRight);
+            kept = i;
+        }
+    }
+    const auto cut = left.rows.begin() + static_cast<std::ptrdiff_t>(kept);
+    right.rows.assign(cut, left.rows.end());
+    left.rows.erase(cut, left.rows.end());
+    both.left.emplace_back(std::move(left));
+    both.right.emplace_back(std::move(right));
+}
 
 const Heading *sectionHeading(const Block &block) {
     const auto *columns = std::get_if<SideBySide>(&block);

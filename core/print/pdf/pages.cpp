@@ -31,7 +31,7 @@ constexpr double narrowlyBelow = 3 * mm;
 constexpr double smallestToNarrow = 1.5 * mm;
 constexpr double slightlyNarrower = 0.7;
 constexpr double narrowest = 0.4;
-constexpr double closest = 0.3;             ///< in a certificate that is set narrow
+constexpr double closest = 0.25;            ///< in a certificate that is set narrow
 constexpr double leastOnFurtherPages = 0.8; ///< fraction of its height
 constexpr double roundingRoom = 0.01;
 constexpr double largestGap = 8.5 * mm; ///< if the page has space
@@ -692,7 +692,7 @@ public:
         for (const Block &block : report.blocks) {
             if (stop.stop_requested())
                 break;
-            m_blocks.push_back({block, stripsOf(block, m_widest)});
+            measure(m_blocks.emplace_back(MeasuredBlock{block, {}}), false);
         }
         arrange();
         squeezeParts();
@@ -707,10 +707,19 @@ public:
     [[nodiscard]] const std::vector<PageStrips> &pages() const { return m_flow.pages(); }
 
 private:
+    /// Height of an empty page.
+    [[nodiscard]] double tallest() const { return m_bottom - topMargin - runningHeadHeight(); }
+
     [[nodiscard]] Strips stripsOf(Block block, const std::map<QString, int> &pages,
                                   bool narrow = false) const {
         putPages(block, pages);
-        return measured(block, m_width, m_bottom - topMargin - runningHeadHeight(), narrow);
+        return measured(block, m_width, tallest(), narrow);
+    }
+
+    void measure(MeasuredBlock &each, bool narrow) const {
+        if (auto *both = std::get_if<SideBySide>(&each.block))
+            levelColumns(*both, m_width, tallest());
+        each.strips = stripsOf(each.block, m_widest, narrow);
     }
 
     void flow() {
@@ -782,7 +791,7 @@ private:
         for (std::size_t i = 0; i + 1 < m_blocks.size() && !isAnnex(m_blocks[i + 1]); ++i) {
             if (heads == ofHeads.contains(pages[i])) {
                 std::visit([](auto &block) { setNarrow(block); }, m_blocks[i].block);
-                m_blocks[i].strips = stripsOf(m_blocks[i].block, m_widest, true);
+                measure(m_blocks[i], true);
             }
         }
     }
@@ -807,7 +816,7 @@ private:
             const MeasuredBlocks wide(placeOf(m_blocks, head), placeOf(m_blocks, end));
             for (std::size_t i = head; i < end; ++i) {
                 std::visit([](auto &block) { setNarrow(block); }, m_blocks[i].block);
-                m_blocks[i].strips = stripsOf(m_blocks[i].block, m_widest, true);
+                measure(m_blocks[i], true);
                 m_blocks[i].close = true;
             }
             flow();
@@ -818,13 +827,13 @@ private:
         }
     }
 
-    /// Narrower gaps, if that saves a page of the annex, or the last one of a certificate that stays too
-    /// empty.
+    /// Narrower gaps, if that saves a page of the annex, or the last one of a certificate that would stay too
+    /// empty without what the page before it gave.
     void squeezeEnds() {
         const auto squeeze = [&](double &narrowing, std::size_t last, double most) {
             const std::vector<PageStrips> &pages = m_flow.pages();
             if (narrowing < 1 || last == 0 || last >= pages.size() ||
-                pages[last].used() >= most * (m_bottom - pages[last].top()))
+                pages[last - 1].used() + pages[last].used() >= (1 + most) * (m_bottom - pages[last].top()))
                 return;
             const std::size_t before = pages.size();
             for (const double factor : {slightlyNarrower, narrowest}) {

@@ -59,6 +59,9 @@ struct MeasuredBlock {
 };
 using MeasuredBlocks = std::vector<MeasuredBlock>;
 
+/// Moves rows to the right column of one that is levelled, `width` and `tallest` as for its strips.
+void levelColumns(SideBySide &both, double width, double tallest);
+
 /// The strips of one block, without what depends on its neighbours. `narrow`: smaller text, less below a
 /// running head.
 [[nodiscard]] Strips measured(const Block &block, double width, double tallest, bool narrow = false);

@@ -12,10 +12,11 @@ namespace palmer {
 
 namespace {
 
-constexpr double statementLabels = 44;  ///< mm
-constexpr double labelsBeside = 36;     ///< in two columns of statements, mm
-constexpr qsizetype lineBeside = 28;    ///< characters of a line there
-constexpr qsizetype longestBeside = 56; ///< of a statement there
+constexpr double statementLabels = 44; ///< mm
+constexpr double statementsLeft = 42;  ///< in two columns of statements, mm
+constexpr double statementsRight = 36;
+constexpr double statementsBeside = 96; ///< width of the left one, for details of a machine on one line, mm
+constexpr qsizetype longestBeside = 56; ///< characters of a statement there
 
 /// Ids of the instruments named by the tests.
 std::set<std::string> usedInstruments(const Document &document) {
@@ -146,35 +147,17 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
 
 void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows) {
     constexpr std::ptrdiff_t fewest = 2; // minimum for two columns
-    SideBySide both;
-    KeyValues left;
-    KeyValues right;
-    KeyValues below;
-    left.labelWidth = right.labelWidth = labelsBeside;
-    below.labelWidth = statementLabels;
-    left.narrow = right.narrow = below.narrow = true;
+    KeyValues beside{{}, statementsLeft, true};
+    KeyValues below{{}, statementLabels, true};
     const auto isShort = [](const KeyValue &row) {
         return row.value.size() <= longestBeside && !row.value.contains(u'\n');
     };
-    const auto linesOf = [](const KeyValue &row) {
-        return 1 + std::max(row.key.size() - 1, row.value.size() - 1) / lineBeside;
-    };
-    qsizetype lines = 0;
-    for (const KeyValue &row : rows)
-        lines += isShort(row) ? linesOf(row) : 0;
     const bool bothColumns = std::ranges::count_if(rows, isShort) >= fewest;
-    qsizetype taken = 0;
-    for (const KeyValue &row : rows) {
-        if (!bothColumns || !isShort(row)) {
-            below.rows.push_back(row);
-            continue;
-        }
-        (2 * taken < lines ? left : right).rows.push_back(row);
-        taken += linesOf(row);
-    }
-    if (!left.rows.empty()) {
-        both.left.emplace_back(std::move(left));
-        both.right.emplace_back(std::move(right));
+    for (const KeyValue &row : rows)
+        (bothColumns && isShort(row) ? beside : below).rows.push_back(row);
+    if (bothColumns) {
+        SideBySide both{{beside}, {KeyValues{{}, statementsRight, true}}, statementsBeside, 5};
+        both.levelled = true;
         blocks.emplace_back(std::move(both));
     }
     if (!below.rows.empty())

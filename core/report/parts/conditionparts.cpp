@@ -458,37 +458,6 @@ void addSensors(std::vector<Block> &blocks, const TestPart &part) {
 
 constexpr double temperatureFigureHeight = 62; ///< mm
 
-/// Approximate height of a row beside the environment or below it, mm.
-double heightOf(const KeyValue &row, double valueWidth) {
-    constexpr double letter = 1.6;
-    constexpr double line = 4.1;
-    constexpr double gap = 0.75;
-    double height = gap;
-    for (const QString &text : row.value.split(u'\n'))
-        height += line * (1 + std::floor(letter * static_cast<double>(text.size()) / valueWidth));
-    return height;
-}
-
-/// Takes the last rows for the column of the environment, so that both columns are about equally high.
-KeyValues takeRest(KeyValues &rows, const Table &environment) {
-    constexpr double rowHeight = 4.65;
-    constexpr double wide = conditionsWidth - conditionLabels - 3;
-    constexpr double narrow = textWidth - conditionsWidth - 9 - conditionLabels - 3;
-    double left = 0;
-    for (const KeyValue &row : rows.rows)
-        left += heightOf(row, wide);
-    double right = rowHeight * static_cast<double>(environment.rows.size() + 3);
-    KeyValues rest{{}, conditionLabels};
-    while (!rows.rows.empty() &&
-           right + heightOf(rows.rows.back(), narrow) <= left - heightOf(rows.rows.back(), wide)) {
-        left -= heightOf(rows.rows.back(), wide);
-        right += heightOf(rows.rows.back(), narrow);
-        rest.rows.insert(rest.rows.begin(), std::move(rows.rows.back()));
-        rows.rows.pop_back();
-    }
-    return rest;
-}
-
 /// Adds what is stated, beside it the environment with the `correction`; what is not stated is one row.
 void addConditions(std::vector<Block> &blocks, const TestPart &part, std::optional<EnvironmentTable> table,
                    const QString &correction) {
@@ -509,13 +478,12 @@ void addConditions(std::vector<Block> &blocks, const TestPart &part, std::option
     } else {
         SideBySide both;
         both.leftWidth = conditionsWidth;
-        KeyValues rest = takeRest(rows, stated);
+        both.levelled = true;
         both.left.emplace_back(std::move(rows));
         both.right.emplace_back(stated);
         if (!correction.isEmpty())
             both.right.emplace_back(Paragraph{correction, TextSize::small});
-        if (!rest.rows.empty())
-            both.right.emplace_back(std::move(rest));
+        both.right.emplace_back(KeyValues{{}, conditionLabels});
         blocks.emplace_back(std::move(both));
     }
     addSensors(blocks, part);

@@ -195,9 +195,10 @@ void FirstPageTest::aTestOf11TargetsHasFourPages() {
 
 void FirstPageTest::certificatesHaveTwoPages_data() {
     QTest::addColumn<Language::Id>("language");
-    for (const QString &name : {u"iso230-2-1988-example"_s, u"rotary-axis"_s, u"iso230-4-full-circles-xy"_s,
-                                u"iso230-4-partial-arc-zx"_s, u"iso230-4-feedback-yz"_s, u"limits-2006"_s,
-                                u"one-direction"_s, u"thermal-behaviour"_s}) {
+    for (const QString &name :
+         {u"iso230-2-1988-example"_s, u"rotary-axis"_s, u"iso230-4-full-circles-xy"_s,
+          u"iso230-4-partial-arc-zx"_s, u"iso230-4-feedback-yz"_s, u"limits-2006"_s, u"one-direction"_s,
+          u"thermal-behaviour"_s, u"budget-2006"_s, u"one-direction-with-gaps"_s}) {
         QTest::newRow(qPrintable(name + u", English"_s)) << Language::Id::english;
         QTest::newRow(qPrintable(name + u", French"_s)) << Language::Id::french;
     }

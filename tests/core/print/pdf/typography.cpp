@@ -183,7 +183,27 @@ QStringList faultsOf(const FigureBlock &block) {
     return faults;
 }
 
-/// Columns of decimal numbers that are not aligned at their mark.
+/// Rows that name another unit of length than the head of their column, as nm below µm.
+QStringList otherUnits(const Table &table) {
+    static const QRegularExpression length(u"(?<!\\p{L})(nm|µm|mm)(?![\\p{L}/])"_s,
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    QStringList faults;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const QString unit = table.columns[c].unit;
+        if (!length.match(unit).hasMatch())
+            continue;
+        for (const std::vector<Cell> &row : table.rows) {
+            for (const Cell *cell : {&row.front(), &row[c]}) {
+                const auto named = length.match(cell->text.plain());
+                if (named.hasMatch() && named.captured() != unit)
+                    faults << u"“%1” below %2"_s.arg(cell->text.plain(), unit);
+            }
+        }
+    }
+    return faults;
+}
+
+/// Columns of decimal numbers that are not aligned at their mark, rows with a unit of their own.
 QStringList faultsOf(const Table &table) {
     static const QRegularExpression number(u"^[−+]?[0-9\u202F]+([.,]([0-9]+))?$"_s);
     QStringList faults;
@@ -196,7 +216,7 @@ QStringList faultsOf(const Table &table) {
         if (decimals.size() > 1 && table.columns[c].alignment != Alignment::decimal)
             faults << u"decimals not aligned: column “%1”"_s.arg(table.columns[c].title.plain());
     }
-    return faults;
+    return faults + otherUnits(table);
 }
 
 /// Faults of figures and tables.
