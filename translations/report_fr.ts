@@ -3046,8 +3046,8 @@
         <translation>ce n’est un caractère ni d’UTF-8 ni de Windows-1252&#x202f;; un fichier texte est attendu</translation>
     </message>
     <message>
-        <source>this Qt does not know the encoding GB18030; save the text as UTF-8</source>
-        <translation>cette version de Qt ne connaît pas le codage GB18030&#x202f;; enregistrer le texte en UTF-8</translation>
+        <source>this system does not know the encoding GB18030; save the text as UTF-8</source>
+        <translation>ce système ne connaît pas le codage GB18030&#x202f;; enregistrer le texte en UTF-8</translation>
     </message>
     <message>
         <source>this is no character of GB18030; expected a text file</source>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/decodetext.h"
 
+#include "system/encoding.h"
 #include "system/memory.h"
 #include "tables/contenterror.h"
 #include "tables/numbercell.h"
 
-#include <QStringDecoder>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -143,17 +143,14 @@ bool looksChinese(std::string_view bytes) {
     return pairs >= fewest;
 }
 
-// Uses the tables of ICU, with which distributions build Qt.
 std::string fromGb18030(std::string_view bytes) {
-    QStringDecoder decode("GB18030", QStringConverter::Flag::Stateless);
-    if (!decode.isValid())
+    const std::optional<QString> text = decodedGb18030(bytes);
+    if (!text)
         refuseContent(
-            REPORT_TEXT("report", "this Qt does not know the encoding GB18030; save the text as UTF-8"));
-    const QString text = decode(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
-    std::string utf8 = text.toStdString();
-    if (decode.hasError() || text.contains(QChar::ReplacementCharacter))
-        refuse(REPORT_TEXT("report", "this is no character of GB18030; expected a text file"), utf8,
-               std::min(utf8.find("\xEF\xBF\xBD"), utf8.size()));
+            REPORT_TEXT("report", "this system does not know the encoding GB18030; save the text as UTF-8"));
+    std::string utf8 = text->toStdString();
+    if (const std::size_t wrong = utf8.find("\xEF\xBF\xBD"); wrong != std::string::npos)
+        refuse(REPORT_TEXT("report", "this is no character of GB18030; expected a text file"), utf8, wrong);
     return utf8;
 }
 

@@ -271,7 +271,8 @@ private:
                 const double x = path.first[i] - cx;
                 const double y = path.second[i] - cy;
                 arc.angles.push_back(std::atan2(y, x) / degree);
-                arc.radialDeviations.push_back(std::hypot(x, y) - radius);
+                // hypot rounds otherwise with each C library, a root never
+                arc.radialDeviations.push_back(std::sqrt(x * x + y * y) - radius);
             }
             unwrap(arc.angles);
             addArcs(measurement, std::move(arc), path.stated);
