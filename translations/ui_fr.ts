@@ -4305,8 +4305,8 @@ est la même machine que&#xa0;:</translation>
     <message numerus="yes">
         <source>%n required statement(s) missing; printed as “–”</source>
         <translation>
-            <numerusform>%n information requise manque&#x202f;; elle sera imprimée «&#xa0;–&#xa0;»</numerusform>
-            <numerusform>%n informations requises manquent&#x202f;; elles seront imprimées «&#xa0;–&#xa0;»</numerusform>
+            <numerusform>%n information requise manque&#x202f;; elle sera remplacée par un tiret</numerusform>
+            <numerusform>%n informations requises manquent&#x202f;; elles seront remplacées par un tiret</numerusform>
         </translation>
     </message>
     <message>

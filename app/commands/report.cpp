@@ -68,10 +68,6 @@ QStringList languagesOf(const Invocation &invocation, const Document &document) 
     return result;
 }
 
-bool selfTest() {
-    return std::ranges::all_of(validateFiles(quickReferenceFiles()), &SetValidation::agrees);
-}
-
 /// Prints a line for each unreadable picture of the laboratory, without which the report is printed.
 void sayUnreadablePictures(const Document &document, const Input &input, const Language &language) {
     const Laboratory &laboratory = document.report.laboratory;
@@ -115,7 +111,7 @@ public:
             requireOutput(invocation, output, {"pdf"});
             m_outputs = {output};
         }
-        m_selfTest = runInBackground(true, selfTest); // once for all, while the file is read
+        m_selfTest = runInBackground(true, selfTestPasses); // once for all, while the file is read
         if (m_inputs.several)
             m_selfTest.wait(); // no thread may run when processes are forked
     }

@@ -308,4 +308,10 @@ std::vector<SetValidation> validateFiles(const QStringList &names) {
     return result;
 }
 
+bool selfTestPasses() {
+    static const bool passes =
+        std::ranges::all_of(validateFiles(quickReferenceFiles()), &SetValidation::agrees);
+    return passes;
+}
+
 } // namespace palmer

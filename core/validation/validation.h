@@ -38,4 +38,7 @@ struct SetValidation {
 /// Evaluates files of reference data. Throws Error if one cannot be read.
 [[nodiscard]] std::vector<SetValidation> validateFiles(const QStringList &names);
 
+/// The self-test that a report states: true if the quick sets agree. Run once in a process, on any thread.
+[[nodiscard]] bool selfTestPasses();
+
 } // namespace palmer

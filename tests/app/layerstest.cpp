@@ -80,8 +80,9 @@ constexpr Layer layers[]{
     {"ui/navigation", "kernel document report ui ui/model"},
     {"ui/welcome", "kernel document import ui"},
     {"ui/import", "kernel document language import figures ui ui/model ui/figures"},
-    {"ui/dialogs", "kernel document language import figures editing report export print ui ui/model ui/forms "
-                   "ui/figures"},
+    {"ui/dialogs",
+     "kernel document language import figures editing report export validation print ui ui/model ui/forms "
+     "ui/figures"},
     {"ui/register", "kernel document language figures report register print ui ui/model ui/figures ui/help "
                     "ui/dialogs"},
     {"ui/window",

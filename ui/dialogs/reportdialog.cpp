@@ -19,6 +19,7 @@
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
+#include "validation/validation.h"
 
 #include <QBuffer>
 #include <QButtonGroup>
@@ -360,7 +361,8 @@ ReportDialog::Composed ReportDialog::composed(const Background::Job &job, const 
     try {
         result.evaluated = evaluate(source.document, &previous);
         job.post([&dialog, evaluated = result.evaluated] { dialog.showEvaluated(evaluated); });
-        ReportOptions options{QStringLiteral("Palmer " PALMER_VERSION), {}, source.originals, {}, job.stop()};
+        ReportOptions options{
+            QStringLiteral("Palmer " PALMER_VERSION), selfTestPasses(), source.originals, {}, job.stop()};
         for (const ReportLanguage language : source.document->report.languages) {
             result.reports.push_back(composeReport(result.evaluated, Language(idOf(language)), options));
             const Report &report = result.reports.back();

@@ -114,6 +114,7 @@ void ReportDialogTest::savesWhatItShows() {
     QCOMPARE(shown.save(path), QStringList{path});
     QCOMPARE(pagesOf(path), shown.dialog.pageCount());
     QVERIFY(textOf(path).contains(QStringLiteral("RE-2026-001")));
+    QVERIFY(textOf(path).contains(QStringLiteral("self-test against reference data passed")));
 }
 
 void ReportDialogTest::savesAFileForEachLanguage() {
