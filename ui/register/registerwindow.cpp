@@ -21,14 +21,17 @@
 #include "ui/thinsplitter.h"
 #include "ui/windowlanguage.h"
 
+#include <QDialogButtonBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QListView>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QToolBar>
@@ -302,7 +305,7 @@ void RegisterWindow::choose(const ListedMachine &machine, const std::optional<Li
         });
 }
 
-/// Shows what identifies both machines.
+/// Shows what identifies both machines; none is chosen beforehand.
 void RegisterWindow::joinMachine() {
     const MachineRow *chosen = m_side->chosen();
     if (!chosen)
@@ -330,6 +333,12 @@ void RegisterWindow::joinMachine() {
                 choose(machine, others.at(static_cast<std::size_t>(names.indexOf(name))), {});
             });
     dialog->open();
+    const auto *list = dialog->findChild<QListView *>();
+    auto *join = dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+    list->selectionModel()->clear();
+    join->setEnabled(false);
+    connect(list->selectionModel(), &QItemSelectionModel::selectionChanged, join,
+            [list, join] { join->setEnabled(list->selectionModel()->hasSelection()); });
 }
 
 void RegisterWindow::askToPrune(const QStringList &folders) {

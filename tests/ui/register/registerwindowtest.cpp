@@ -303,7 +303,14 @@ private slots:
         QVERIFY(dialog && dialog->isVisible());
         QVERIFY(dialog->labelText().startsWith("1. Machine 1 · Maker A · CU 1000\n"));
         QCOMPARE(dialog->comboBoxItems(), QStringList{"2. Machine 2 · Maker A · CU 1000"});
-        dialog->accept();
+        auto *list = dialog->findChild<QListView *>();
+        QTest::keyClick(list, Qt::Key_Return); // nothing is chosen beforehand
+        settle();
+        QVERIFY(dialog->isVisible());
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 2);
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_Down);
+        QTest::keyClick(list, Qt::Key_Return);
         settle();
         QCOMPARE(find<QListView>("machines")->model()->rowCount(), 1);
         QCOMPARE(find<QLabel>("total")->text(), QString("1 machine · 9 tests"));
@@ -448,6 +455,8 @@ private slots:
             press(Qt::Key_Return);
             QTRY_VERIFY(QApplication::activeModalWidget());
             QVERIFY(QTest::qWaitForWindowActive(QApplication::activeModalWidget(), patience)); // has the keys
+            if (key == Qt::Key_Return)
+                press(Qt::Key_Down); // to the other machine
             press(key);
             QTRY_VERIFY(!QApplication::activeModalWidget());
             settle();
