@@ -64,24 +64,46 @@ Vector byRobustWeights(const InfluenceFit &fit) {
     return (fit.fit.toScaled * moved).cwiseQuotient(fit.fit.lengths);
 }
 
-/// Compares lateral play with a step of the radius between the senses: 0 the play explains more, 1 they
-/// cannot be told apart, 2 the step explains more.
-int stepInsteadOfPlay(const PathRows &rows, const InfluenceFit &fit) {
-    std::vector<FitTerm> terms{{InfluenceId::radiusDrift, PlaneAxis::none, true}};
+const FitTerm stepOfRadius{InfluenceId::radiusDrift, PlaneAxis::none, true};
+
+/// True if a step of the radius between the senses explains as much as the lateral play that is seen.
+bool stepInsteadOfPlay(const PathRows &rows, const InfluenceFit &fit) {
+    std::vector<FitTerm> terms{stepOfRadius};
     for (std::size_t j = 0; j < fit.terms.size(); ++j) {
         const FitTerm &term = fit.terms[j];
         const bool isPlay = term.id == InfluenceId::lateralPlay;
         if ((isPlay && !(fit.isSeparable(j) && std::abs(fit.factor(j)) > mostU * fit.u(j))) ||
             (term.id == InfluenceId::radiusDrift && term.second))
-            return 0;
+            return false;
         if (!isPlay)
             terms.push_back(term);
     }
     const ColumnFit other = columnFit(rows.columns(terms), rows.deviations());
     constexpr double quantile95 = 3.84;
-    const double more = other.residual.squaredNorm() - fit.fit.residual.squaredNorm();
-    const double bound = quantile95 * slowVariance(fit);
-    return more < -bound ? 2 : more < bound ? 1 : 0;
+    return other.residual.squaredNorm() - fit.fit.residual.squaredNorm() < quantile95 * slowVariance(fit);
+}
+
+/// True if a step of the radius between the senses explains more than the noise that is left with it, even
+/// though lateral play takes most of it up.
+bool hasStepBetweenSenses(const PathRows &rows, const InfluenceFit &fit) {
+    const auto isStep = [](const FitTerm &term) {
+        return term.id == InfluenceId::radiusDrift && term.second;
+    };
+    if (std::ranges::any_of(fit.terms, isStep))
+        return false;
+    std::vector<FitTerm> terms{stepOfRadius};
+    const Vector whole = rows.columns(terms).col(0);
+    const Vector column = whole - fit.fit.basis * (fit.fit.basis.transpose() * whole);
+    constexpr double least = 1e-6; // of a column that is there: both senses
+    if (column.squaredNorm() < least * whole.squaredNorm())
+        return false;
+    const double along = column.dot(fit.fit.residual);
+    const double explained = along * along / column.squaredNorm();
+    constexpr double quantile998 = 9.55; // of χ² with one degree of freedom
+    if (explained < quantile998 * fit.noise.fastest())
+        return false;
+    terms.insert(terms.end(), fit.terms.begin(), fit.terms.end());
+    return explained > quantile998 * slowVariance({rows, std::move(terms)});
 }
 
 } // namespace
@@ -128,8 +150,8 @@ Agreement agreement(const PathRows &rows, const InfluenceFit &fit) {
         return result;
     const Vector sectors = bySectors(rows, fit);
     const Vector robust = byRobustWeights(fit);
-    const int step = stepInsteadOfPlay(rows, fit);
-    result.stepBetweenSenses = step == 2;
+    const bool isStep = stepInsteadOfPlay(rows, fit);
+    result.stepBetweenSenses = hasStepBetweenSenses(rows, fit);
     for (std::size_t j = 0; j < fit.terms.size(); ++j) {
         const FitTerm &term = fit.terms[j];
         if (!fit.isSeparable(j) || term.id == InfluenceId::centre || term.id == InfluenceId::radius)
@@ -147,7 +169,7 @@ Agreement agreement(const PathRows &rows, const InfluenceFit &fit) {
             object(REPORT_TEXT("report", "Even and odd sectors of 15° contradict each other."));
         if (std::abs(robust[i]) > mostU * fit.u(j))
             object(REPORT_TEXT("report", "A few readings make it: robust weights give another value."));
-        if (term.id == InfluenceId::lateralPlay && step > 0)
+        if (term.id == InfluenceId::lateralPlay && isStep)
             object(REPORT_TEXT("report", "Radii that differ between the senses explain it as well."));
     }
     return result;

@@ -9,7 +9,7 @@ namespace palmer {
 /// Objections to single terms of a fit.
 struct Agreement {
     std::vector<std::vector<Message>> objections; ///< per term
-    bool stepBetweenSenses = false; ///< radii that differ between the senses explain more than lateral play
+    bool stepBetweenSenses = false; ///< radii that differ between the senses explain what the fit does not
 };
 
 /// Compares what should say the same within 3 u: the reversals of an axis in each sense (backlash, spikes),

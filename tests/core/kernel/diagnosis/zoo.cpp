@@ -38,6 +38,14 @@ private slots:
         QVERIFY2(m_held > 0.9 * m_sources, qPrintable(QString::number(m_held / m_sources)));
         QVERIFY2(m_falseClaims <= 2, qPrintable(QString::number(m_falseClaims))); // 1 % of 200
     }
+    /// Although lateral play takes most of it up.
+    void theStepBetweenTheSensesIsNamed() {
+        const auto *apart = std::ranges::find(animals, std::string_view("radii of the senses 3 µm apart"),
+                                              [](const Animal &each) { return std::string_view(each.name); });
+        QVERIFY(apart != animals.end());
+        ZooCounts counts = zooCounts(*apart, 20, 720);
+        QCOMPARE(counts.seen["a step of the radius between the senses"], 20);
+    }
     /// What the diagnosis models is not called wrong.
     void whatFitsIsValid() {
         const ZooCounts counts = zooCounts(animals[0], 20, 720);
