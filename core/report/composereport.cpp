@@ -120,6 +120,10 @@ void addAnnex(std::vector<Block> &blocks, const TestPart &part) {
     }
     addFurtherFindings(blocks, part);
     addImports(blocks, part);
+}
+
+/// Adds the pages of interpretation.
+void addDiagnosisOf(std::vector<Block> &blocks, const TestPart &part) {
     withKind(part, [&](const auto &own) {
         if constexpr (requires { addDiagnosis(blocks, own); })
             addDiagnosis(blocks, own);
@@ -240,6 +244,10 @@ void addAnnexes(std::vector<Block> &blocks, const std::vector<TestPart> &parts, 
         const std::size_t first = blocks.size();
         const RunningHead running = runningHead(part);
         addAnnex(blocks, part);
+        const std::size_t ofTest = blocks.size();
+        addDiagnosisOf(blocks, part);
+        if (blocks.size() > ofTest)
+            blocks.emplace_back(PageBreak{});
         if (blocks.size() == first)
             continue; // everything was left out
         const std::array<Block, 2> heading{
@@ -377,6 +385,8 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
         report.certificatePages = static_cast<int>(2 * parts.size()) + several + hasSheet;
         addProgram(blocks, write, document, report.making, report.fingerprint, foreignCharacters(report),
                    several ? 1 : 2);
+        if (!several)
+            addDiagnosisOf(blocks, parts.front());
     }
     if (several)
         addStatedComparisons(blocks, parts);

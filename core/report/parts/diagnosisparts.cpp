@@ -536,7 +536,6 @@ void addDiagnosis(std::vector<Block> &blocks, const CircularPart &part) {
         blocks.emplace_back(Paragraph{
             write.text(REPORT_TEXT("report", "The evaluated points are too few for a diagnosis."))});
     addFeeds(blocks, part);
-    blocks.emplace_back(PageBreak{}); // the diagnosis pages end here
 }
 
 } // namespace palmer

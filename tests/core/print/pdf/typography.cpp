@@ -276,6 +276,8 @@ void TypographyTest::pagesAreSetWell() {
             document.report.figures = CircleFigures::separate;
         if (seed % 4 == 0)
             document.report.editions = {"ISO 230-2:1988", "VDI/DGQ 3441:1977", "ISO 230-4:1996"};
+        if (seed % 5 == 0)
+            document.report.include = {ReportExtra::diagnosis};
         if (seed % 25 == 0) { // twelve tests
             const auto tests = document.tests;
             while (document.tests.size() < 12) {
