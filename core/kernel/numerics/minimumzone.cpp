@@ -632,8 +632,8 @@ private:
     }
 
     void offer(std::optional<Ring> ring) {
-        if (!ring)
-            return;
+        if (!ring || ring->width() > m_bound)
+            return; // other points only widen it
         for (const Sample &s : m_core)
             ring->include(s.point);
         if (ring->width() <= m_bound)
