@@ -539,17 +539,25 @@ std::optional<Ring> firstRing(Search &search, double tolerance) {
     return leastRing(outer, inner, tolerance);
 }
 
-/// Runs the exchange; null if it does not terminate.
-std::optional<Ring> exchange(Search &search, const MinimumZoneOptions &options) {
+struct Exchanged {
+    std::optional<Ring> ring; ///< the last one
+    bool terminated = false;  ///< it contains all points
+};
+
+Exchanged exchange(Search &search, const MinimumZoneOptions &options) {
+    Exchanged result;
     std::optional<Ring> ring = firstRing(search, options.tolerance);
     for (int step = 0; ring && search.finite() && step < options.maxExchanges; ++step) {
+        result.ring = ring;
         const Violators violators = search.violators(*ring);
-        if (!violators.any())
-            return ring;
+        if (!violators.any()) {
+            result.terminated = true;
+            break;
+        }
         ring = leastRing(contactsOf(ring->outer, violators.farthest),
                          contactsOf(ring->inner, violators.nearest), options.tolerance);
     }
-    return std::nullopt;
+    return result;
 }
 
 /// Search over the whole plane. m_rings holds every local minimum of the width over the core that is not
@@ -826,9 +834,9 @@ MinimumZone minimumZone(PointsView points, const MinimumZoneOptions &options) {
 
     Search search(points, options.tolerance);
     Ring ring;
-    const std::optional<Ring> exchanged = exchange(search, options);
-    if (exchanged) {
-        ring = *exchanged;
+    const Exchanged exchanged = exchange(search, options);
+    if (exchanged.terminated) {
+        ring = *exchanged.ring;
         zone.certified = certify(ring, options.tolerance);
         zone.status = Status::found;
     }
@@ -837,8 +845,8 @@ MinimumZone minimumZone(PointsView points, const MinimumZoneOptions &options) {
         if (seed.size() < 4) {
             zone.status = Status::tooFewPoints;
         } else {
-            if (exchanged)
-                seed.insert(seed.end(), {ring.outer[0], ring.outer[1], ring.inner[0], ring.inner[1]});
+            if (const auto &near = exchanged.ring) // good to begin with
+                seed.insert(seed.end(), {near->outer[0], near->outer[1], near->inner[0], near->inner[1]});
             zone.status = CoreSearch(search, options).run(seed, ring, zone.certified);
         }
     }
