@@ -308,6 +308,27 @@ QString viewedEdition(const EvaluatedDocument &evaluated) {
     return found == evaluated.tests.end() ? QString() : QString::fromUtf8((*found)->edition->word);
 }
 
+/// Ends the certificate and adds what follows it. A single test ends with its diagnosis, for the pages of
+/// interpretation stand alone.
+void addAnnexOfReport(Report &report, const std::vector<TestPart> &parts, const std::stop_token &stop) {
+    const TestPart &first = parts.front();
+    const Document &document = first.document();
+    const bool several = parts.size() > 1;
+    std::vector<Block> &blocks = report.blocks;
+    const QString anchor = QStringLiteral("annex");
+    blocks.emplace_back(
+        EndMark{first.write.text(REPORT_TEXT(
+                    "report", "End of the certificate. The annex from page %1 on is part of this report.")),
+                anchor});
+    blocks.insert(blocks.end(), {PageBreak{}, annexRunningHead(parts), annexHead(parts, anchor)});
+    several ? addAnnexes(blocks, parts, stop) : addAnnex(blocks, first);
+    report.certificatePages = static_cast<int>(2 * parts.size()) + several + !document.report.sheet.empty();
+    addProgram(blocks, first.write, document, report.making, report.fingerprint, foreignCharacters(report),
+               several ? 1 : 2);
+    if (!several)
+        addDiagnosisOf(blocks, first);
+}
+
 } // namespace
 
 Report composeReport(const EvaluatedDocument &given, const Language &language, const ReportOptions &options) {
@@ -374,20 +395,8 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
         addThermalPages(report.blocks, evaluated, write);
     addStatements(report.blocks, write, document, report.making, report.fingerprint,
                   foreignCharacters(report), several ? 1 : 2);
-    if (report.making.annex) {
-        const QString anchor = QStringLiteral("annex");
-        blocks.emplace_back(EndMark{
-            write.text(REPORT_TEXT(
-                "report", "End of the certificate. The annex from page %1 on is part of this report.")),
-            anchor});
-        blocks.insert(blocks.end(), {PageBreak{}, annexRunningHead(parts), annexHead(parts, anchor)});
-        several ? addAnnexes(blocks, parts, options.stop) : addAnnex(blocks, parts.front());
-        report.certificatePages = static_cast<int>(2 * parts.size()) + several + hasSheet;
-        addProgram(blocks, write, document, report.making, report.fingerprint, foreignCharacters(report),
-                   several ? 1 : 2);
-        if (!several)
-            addDiagnosisOf(blocks, parts.front());
-    }
+    if (report.making.annex)
+        addAnnexOfReport(report, parts, options.stop);
     if (several)
         addStatedComparisons(blocks, parts);
     if (report.making.annex)
