@@ -227,8 +227,8 @@ struct SideBySide {
     std::vector<Part> right;
     double leftWidth = 83; ///< mm
     double gap = 9;        ///< mm
-    /// Both columns end in key-value rows, all of them at first in the left one: the page moves as many to the
-    /// right one as make both about equally high.
+    /// Both columns end in key-value rows, all of them at first in the left one: the page moves as many to
+    /// the right one as make both about equally high.
     bool levelled = false;
 
     bool operator==(const SideBySide &) const = default;
