@@ -260,6 +260,7 @@ private slots:
     void storedReportsAreSetWell();
     void resultsKeepTheirSmallPrint();
     void frenchTextsHaveTheirSpaces();
+    void rowsInAnotherUnitAreFaults();
 };
 
 void TypographyTest::pagesAreSetWell() {
@@ -348,6 +349,22 @@ void TypographyTest::frenchTextsHaveTheirSpaces() {
             frenchFaults(pageText(reportOf(storedDocument(name), Language::Id::french)));
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(u'\n')));
     }
+}
+
+/// The rule itself: nm below µm is one fault, the unit of the column and other columns are none.
+void TypographyTest::rowsInAnotherUnitAreFaults() {
+    const auto faultsWith = [](const QString &name, const QString &value) {
+        Table table;
+        table.columns.resize(3);
+        table.columns[1].unit = u"µm"_s;
+        table.rows = {{Cell{name}, Cell{value}, Cell{u"3 mm"_s}}};
+        return otherUnits(table).size();
+    };
+    QCOMPARE(faultsWith(u"A"_s, u"12.3"_s), 0);
+    QCOMPARE(faultsWith(u"A (µm)"_s, u"12.3 µm"_s), 0);
+    QVERIFY(faultsWith(u"A (nm)"_s, u"12.3"_s) > 0);
+    QVERIFY(faultsWith(u"A"_s, u"12 nm"_s) > 0);
+    QCOMPARE(faultsWith(u"A"_s, u"4 nm/K"_s), 0); // another quantity
 }
 
 QTEST_MAIN(TypographyTest)
