@@ -271,7 +271,7 @@ private:
                 const double x = path.first[i] - cx;
                 const double y = path.second[i] - cy;
                 arc.angles.push_back(std::atan2(y, x) / degree);
-                // hypot rounds otherwise with each C library, a root never
+                // each C library rounds hypot in its own way, a square root none
                 arc.radialDeviations.push_back(std::sqrt(x * x + y * y) - radius);
             }
             unwrap(arc.angles);
