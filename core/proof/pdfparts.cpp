@@ -162,12 +162,15 @@ void addTaggedTexts(std::vector<std::string> &result, const Handle &root) {
     while (!next.empty()) {
         Handle element = next.back();
         next.pop_back();
+        // A damaged file has arrays, too, that lead back to themselves.
+        if (element.isIndirect() && !known.insert(element.getObjGen()).second)
+            continue;
         if (element.isArray()) {
             for (int i = element.getArrayNItems(); i-- > 0;)
                 next.push_back(element.getArrayItem(i));
             continue;
         }
-        if (!element.isDictionary() || (element.isIndirect() && !known.insert(element.getObjGen()).second))
+        if (!element.isDictionary())
             continue;
         for (const char *key : {"/Alt", "/ActualText", "/E", "/T"}) {
             if (element.hasKey(key))

@@ -3,6 +3,7 @@
 #include "core/print/pdf/reports.h"
 #include "core/print/proof/forgery.h"
 #include "export/dcc.h"
+#include "proof/pdfparts.h"
 
 #include <QGuiApplication>
 #include <QHashSeed>
@@ -93,6 +94,7 @@ private slots:
     void encryptionIsSaid();
     void nothingUnpacksBeyondTheBound();
     void pagesThatDrawWithoutEndAreRefused();
+    void tagsThatLeadBackToThemselvesAreReadOnce();
     void outcomeAsJson();
 };
 
@@ -534,6 +536,30 @@ void VerifyReport::pagesThatDrawWithoutEndAreRefused() {
     });
     const QString sentence = refusal(endless);
     QVERIFY2(sentence.contains(u"drawing operators: too long to verify here"_s), qPrintable(sentence));
+}
+
+/// Arrays of arrays, as a damaged reference makes of them: the text in the last one was read 10⁵ times.
+void VerifyReport::tagsThatLeadBackToThemselvesAreReadOnce() {
+    const QByteArray pdf = pdfOf(u"limits-2006"_s);
+    const auto besideOf = [](const QByteArray &bytes) {
+        bool exceeded = false;
+        return pdfParts(bytes.constData(), static_cast<std::size_t>(bytes.size()), mostUnpacked, exceeded)
+            .beside;
+    };
+    const QByteArray many = changed(pdf, [](QPDF &document) {
+        Handle array = document.makeIndirectObject(Handle::parse("[ << /Alt (read aloud) >> ]"));
+        for (int level = 0; level < 5; ++level)
+            array = document.makeIndirectObject(Handle::newArray(std::vector<Handle>(10, array)));
+        document.getRoot().getKey("/StructTreeRoot").replaceKey("/K", array);
+    });
+    QCOMPARE(std::ranges::count(besideOf(many), "read aloud"), 1);
+    const QByteArray endless = changed(pdf, [](QPDF &document) {
+        Handle array = document.makeIndirectObject(Handle::parse("[ << /Alt (read aloud) >> ]"));
+        array.appendItem(array);
+        document.getRoot().getKey("/StructTreeRoot").replaceKey("/K", array);
+    });
+    QCOMPARE(std::ranges::count(besideOf(endless), "read aloud"), 1);
+    QVERIFY(!verified(endless).follows());
 }
 
 void VerifyReport::outcomeAsJson() {
