@@ -155,13 +155,17 @@ def enumerated(normals, r):
     rows[..., 3] = OUTER[None]
     rows = rows.reshape(-1, 4, 4)
     right = np.repeat(low[fours], len(OUTER), axis=0)
-    regular = np.abs(np.linalg.det(rows)) > 1e-9
-    x = np.full((len(rows), 4), np.inf)
-    x[regular] = np.linalg.solve(rows[regular], right[regular][..., None])[..., 0]
-    left = low[None] - np.nan_to_num(x[:, :2], posinf=0) @ n - x[:, 2:3]
-    inside = (x[:, 3] >= 0) & (left.min(1) >= -1e-13) & (left.max(1) <= x[:, 3] + 1e-13)
-    x[~inside, 3] = np.inf
-    at = int(x[:, 3].argmin())
+    # The determinants along their last column: areas of three points, the same for all ways to be outer.
+    px, py = n[0][fours].T, n[1][fours].T
+    area = lambda a, b, c: (px[b] - px[a]) * (py[c] - py[a]) - (px[c] - px[a]) * (py[b] - py[a])
+    minors = np.stack([-area(1, 2, 3), area(0, 2, 3), -area(0, 1, 3), area(0, 1, 2)], 1)
+    regular = np.abs(minors @ OUTER.T).ravel() > 1e-9
+    which = np.nonzero(regular)[0]
+    x = np.linalg.solve(rows[which], right[which][..., None])[..., 0]
+    which, x = which[x[:, 3] >= 0], x[x[:, 3] >= 0]
+    left = low[None] - x[:, :2] @ n - x[:, 2:3]
+    x[(left.min(1) < -1e-13) | (left.max(1) > x[:, 3] + 1e-13), 3] = np.inf
+    at = int(which[x[:, 3].argmin()])
     four, outer = fours[at // len(OUTER)], OUTER[at % len(OUTER)]
     exact = np.array([[normals[0, i], normals[1, i], LONG(1), LONG(o)] for i, o in zip(four, outer)])
     best = solved(exact, r[four])

@@ -11,9 +11,10 @@ def quantile(p):
 def below(t, nu, delta):
     """P(T ≤ t) of T = (Z + δ)/(χ/√ν)."""
     middle = sqrt(mpf(nu))
-    density = lambda c: c ** (nu - 1) * exp(-c * c / 2) / (2 ** (mpf(nu) / 2 - 1) * gamma(mpf(nu) / 2))
+    total = 2 ** (mpf(nu) / 2 - 1) * gamma(mpf(nu) / 2)
+    density = lambda c: c ** (nu - 1) * exp(-c * c / 2) / total
     cuts = {max(mpf(0), middle + k) for k in (-9, -6, -4, -2, -1, 0, 1, 2, 4, 6, 9)}
-    return quad(lambda c: ncdf(t * c / middle - delta) * density(c), sorted(cuts))
+    return quad(lambda c: ncdf(t * c / middle - delta) * density(c), sorted(cuts), method="gauss-legendre")
 
 
 def factor(count, content, confidence):
