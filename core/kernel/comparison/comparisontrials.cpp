@@ -41,6 +41,8 @@ ComparisonTrials::ComparisonTrials(const TrialsOfTest &before, const TrialsOfTes
     , m_targets(before.readings.targets)
     , m_directions{!before.readings.positive.empty(), !before.readings.negative.empty()} {
     m_sides = {sideOf(before), sideOf(after)};
+    for (std::size_t side = 0; side < m_sides.size(); ++side)
+        m_sides[side].drawn = drawnOf(side);
 }
 
 ComparisonTrials::Side ComparisonTrials::sideOf(const TrialsOfTest &test) const {
@@ -139,22 +141,35 @@ std::array<Lanes, 2> ComparisonTrials::errorsOf(long long first, int which) cons
             test.drift * RandomDraws::symmetric(ownOther[1])};
 }
 
-/// `place`: of the target in the first cycle; `drawn`: the cycle of each lane, from m_cycles on of the other
-/// test. A gap takes the next cycle.
-Lanes ComparisonTrials::residuals(std::size_t side, std::size_t place, const Drawn &drawn) const {
+std::size_t ComparisonTrials::pool() const {
+    return static_cast<std::size_t>(m_cycles) * (m_pooled ? 2 : 1);
+}
+
+/// `place`: of the target in the first cycle; `drawn`: the cycle, from m_cycles on of the other test. A gap
+/// takes the next cycle.
+double ComparisonTrials::residual(std::size_t side, std::size_t place, std::size_t drawn) const {
     const auto n = static_cast<std::size_t>(m_cycles);
-    const std::size_t pool = m_pooled ? 2 * n : n;
-    std::array<double, Lanes::count> values{};
-    for (std::size_t lane = 0; lane < values.size(); ++lane) {
-        double value = nothing;
-        for (std::size_t k = 0; k < pool && std::isnan(value); ++k) {
-            const std::size_t cycle = (drawn[lane] + k) % pool;
-            const Side &from = cycle < n ? m_sides[side] : m_sides[1 - side];
-            value = from.residuals[place + (cycle % n) * m_targets];
-        }
-        values[lane] = std::isnan(value) ? 0 : value;
+    for (std::size_t k = 0; k < pool(); ++k) {
+        const std::size_t cycle = (drawn + k) % pool();
+        const Side &from = cycle < n ? m_sides[side] : m_sides[1 - side];
+        const double value = from.residuals[place + (cycle % n) * m_targets];
+        if (!std::isnan(value))
+            return value;
     }
-    return Lanes::from(values);
+    return 0;
+}
+
+/// Looked up once for all trials.
+std::vector<double> ComparisonTrials::drawnOf(std::size_t side) const {
+    const std::size_t readings = static_cast<std::size_t>(m_cycles) * m_targets;
+    std::vector<double> values;
+    for (std::size_t begin = 0; begin < m_sides[side].residuals.size(); begin += readings) {
+        for (std::size_t drawn = 0; drawn < pool(); ++drawn) {
+            for (std::size_t target = 0; target < m_targets; ++target)
+                values.push_back(residual(side, begin + target, drawn));
+        }
+    }
+    return values;
 }
 
 void ComparisonTrials::perturb(long long first, int which, DrawnParts parts,
@@ -170,7 +185,6 @@ void ComparisonTrials::perturb(long long first, int which, DrawnParts parts,
             test.means[place] + test.distance[place % m_targets] * errors[0] + test.time[place] * errors[1];
     if (!parts.residuals)
         return;
-    const std::size_t pool = m_pooled ? 2 * n : n;
     RandomDraws::WordLanes words{};
     std::array<RandomDraws::WordLanes, 4> four{};
     for (std::size_t j = 0; j < n; ++j) {
@@ -180,13 +194,19 @@ void ComparisonTrials::perturb(long long first, int which, DrawnParts parts,
         Drawn drawn{};
         for (int lane = 0; lane < Lanes::count; ++lane)
             drawn[static_cast<std::size_t>(lane)] =
-                static_cast<std::size_t>((static_cast<std::uint64_t>(words[lane]) * pool) >> 32U);
+                static_cast<std::size_t>((static_cast<std::uint64_t>(words[lane]) * pool()) >> 32U);
         for (std::size_t direction = 0; direction < 2; ++direction) {
             if (!m_directions[direction])
                 continue;
-            const std::size_t begin = direction == 1 && m_directions[0] ? n * m_targets : 0;
-            for (std::size_t target = 0; target < m_targets; ++target)
-                readings[begin + j * m_targets + target] += residuals(side, begin + target, drawn);
+            const bool isSecond = direction == 1 && m_directions[0];
+            const std::size_t begin = isSecond ? n * m_targets : 0;
+            const double *const residuals = test.drawn.data() + (isSecond ? pool() * m_targets : 0);
+            for (std::size_t target = 0; target < m_targets; ++target) {
+                std::array<double, Lanes::count> values{};
+                for (std::size_t lane = 0; lane < values.size(); ++lane)
+                    values[lane] = residuals[drawn[lane] * m_targets + target];
+                readings[begin + j * m_targets + target] += Lanes::from(values);
+            }
         }
     }
 }

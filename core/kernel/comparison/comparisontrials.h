@@ -56,6 +56,7 @@ private:
         double drift = 0;             ///< E_VE of a linear drift
         std::vector<double> distance; ///< by target
         std::vector<double> time;     ///< by place, −½ … ½
+        std::vector<double> drawn;    ///< residual by direction, drawn cycle and target
     };
     struct Buffers {
         std::vector<Lanes> readings;
@@ -67,7 +68,9 @@ private:
     [[nodiscard]] Side sideOf(const TrialsOfTest &test) const;
     void addTable(Side &side, const std::vector<double> &table) const;
     [[nodiscard]] std::vector<double> timesOf(std::size_t positive, std::size_t count) const;
-    [[nodiscard]] Lanes residuals(std::size_t side, std::size_t place, const Drawn &drawn) const;
+    [[nodiscard]] std::size_t pool() const; ///< number of cycles to draw from
+    [[nodiscard]] double residual(std::size_t side, std::size_t place, std::size_t drawn) const;
+    [[nodiscard]] std::vector<double> drawnOf(std::size_t side) const;
     [[nodiscard]] std::array<Lanes, 2> errorsOf(long long first, int which) const;
     void perturb(long long first, int which, DrawnParts parts, std::vector<Lanes> &readings) const;
     void runFour(long long first, DrawnParts parts, Buffers &buffers, std::span<double> differences) const;
