@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/fewtrials.h"
 #include "app/runcli.h"
 
 #include <QDir>
@@ -87,7 +88,7 @@ private slots:
 private:
     [[nodiscard]] QString at(const QString &name) const { return m_folder->filePath(name); }
     void lay(const QString &name, const QString &example) const {
-        write(at(name), contents(examples + example));
+        write(at(name), palmer::testdata::withFewTrials(contents(examples + example)));
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;

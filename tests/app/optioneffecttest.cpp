@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/fewtrials.h"
 #include "app/runcli.h"
 
 #include <QDir>
@@ -38,12 +39,12 @@ struct OptionRow {
     QString value; // placeholder, empty for a switch
 };
 
-/// The rotary axis with a budget, whose report simulates few trials: what an option does shows in any number.
+/// The rotary axis with a budget: what an option does shows in any number of trials.
 QByteArray axisOfFewTrials() {
     QFile file(EXAMPLES "rotary-axis.palmer");
     if (!file.open(QIODevice::ReadOnly))
         qFatal("cannot read %s", qPrintable(file.fileName()));
-    return file.readAll().replace(R"("method": "budget")", R"("method": "budget", "trials": 500)");
+    return palmer::testdata::withFewTrials(file.readAll());
 }
 
 void write(const QString &name, const QByteArray &bytes) {

@@ -3,6 +3,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "ui/dialogs/reportdialog.h"
+#include "document/edits.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractButton>
@@ -69,6 +70,14 @@ struct ShownDialog {
     ReportDialog dialog;
 };
 
+/// A few trials are enough where files are asked for and not what a simulation says.
+void simulateQuickly(const ShownWindow &shown) {
+    shown.window->model().edit("trials", [](Document &document) {
+        editMeasurement<PositioningMeasurement>(
+            document, 0, [](PositioningMeasurement &measurement) { measurement.uncertainty.trials = 500; });
+    });
+}
+
 } // namespace
 
 class ReportDialogTest : public QObject {
@@ -120,6 +129,7 @@ void ReportDialogTest::savesWhatItShows() {
 void ReportDialogTest::savesAFileForEachLanguage() {
     const QTemporaryDir folder;
     const ShownWindow window(examplePath("rotary-axis"));
+    simulateQuickly(window);
     ShownDialog shown(window);
     shown.click("reportBoth");
     QCOMPARE(shown.save(folder.filePath(QStringLiteral("report.pdf"))),
@@ -132,6 +142,7 @@ void ReportDialogTest::savesAFileForEachLanguage() {
 void ReportDialogTest::doesNotSpeakTheLanguageOfTheWindow() {
     const QTemporaryDir folder;
     const ShownWindow window(examplePath("rotary-axis"));
+    simulateQuickly(window);
     ShownDialog shown(window);
     shown.click("reportEnglish");
     const QString first = folder.filePath(QStringLiteral("a.pdf")),
@@ -224,6 +235,7 @@ void ReportDialogTest::prints() {
 void ReportDialogTest::saysWhySavingFailed() {
     const QTemporaryDir folder;
     const ShownWindow window(examplePath("rotary-axis"));
+    simulateQuickly(window);
     ShownDialog shown(window);
     QVERIFY(shown.save(folder.filePath(QStringLiteral("missing/report.pdf"))).isEmpty());
     auto *box = shown.dialog.findChild<QMessageBox *>(QStringLiteral("errorBox"));
@@ -236,6 +248,7 @@ void ReportDialogTest::twoLanguagesAreOneStep() {
     for (const bool there : {true, false}) {
         const QTemporaryDir folder;
         const ShownWindow window(examplePath("rotary-axis"));
+        simulateQuickly(window);
         ShownDialog shown(window);
         shown.click("reportBoth");
         const QString first = folder.filePath(QStringLiteral("report.fr.pdf"));
@@ -275,6 +288,7 @@ void ReportDialogTest::asksBeforeItReplacesAFile() {
     QFETCH(bool, asks);
     const QTemporaryDir folder;
     const ShownWindow window(examplePath("rotary-axis"));
+    simulateQuickly(window);
     ShownDialog shown(window);
     shown.click(languages.toUtf8().constData());
     const auto put = [&] {
