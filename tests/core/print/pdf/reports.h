@@ -14,6 +14,8 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
+#include <map>
+#include <utility>
 
 namespace palmer::testdata {
 
@@ -50,6 +52,15 @@ inline QByteArray pdfOf(const Report &report) {
     buffer.open(QIODevice::WriteOnly);
     writePdf(report, buffer);
     return buffer.data();
+}
+
+/// That of a stored document, made once in a program.
+inline const QByteArray &storedPdf(const QString &name, Language::Id language) {
+    static std::map<std::pair<QString, Language::Id>, QByteArray> made;
+    QByteArray &pdf = made[{name, language}];
+    if (pdf.isEmpty())
+        pdf = pdfOf(reportOf(storedDocument(name), language));
+    return pdf;
 }
 
 /// Output of a program of poppler that reads a PDF from its standard input ("-").

@@ -193,21 +193,19 @@ void WritePdf::textIsThatOfTheReport() {
     QFETCH(const QString, name);
     QFETCH(const Language::Id, language);
     const Report report = reportOf(storedDocument(name), language);
-    compare(report, pdfOf(report));
+    compare(report, storedPdf(name, language));
 }
 
 void WritePdf::textCanBeSearched() {
     // Accents are signs of their own in a PDF: white space may stand before them.
-    const QString text = squeezed(
-        pageTexts(pdfOf(reportOf(storedDocument(u"limits-2006"_s), Language::Id::french))).join(u' '));
+    const QString text = squeezed(pageTexts(storedPdf(u"limits-2006"_s, Language::Id::french)).join(u' '));
     for (const QString &word : {u"µm"_s, u"±"_s, u"A↑"_s, u"A↓"_s, u"x\u0304"_s, u"B\u0304"_s, u"°C"_s,
                                 u"Répétabilité"_s, u"−1,5"_s})
         QVERIFY2(text.contains(squeezed(word)), qPrintable(word));
 }
 
 void WritePdf::sameBytesAtAnyTimeAndPlace() {
-    const Report report = reportOf(storedDocument(u"two-tests"_s), Language::Id::french);
-    const QByteArray first = pdfOf(report);
+    const QByteArray first = storedPdf(u"two-tests"_s, Language::Id::french);
     QTest::qWait(1100); // times in a PDF have whole seconds
     qputenv("TZ", "Asia/Tokyo");
     tzset();
@@ -223,14 +221,15 @@ void WritePdf::sameBytesAtAnyTimeAndPlace() {
 void WritePdf::saysTitleAndLanguage() {
     for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
         const Report report = reportOf(storedDocument(u"limits-2006"_s), language);
-        const QString information = QString::fromUtf8(run(u"pdfinfo"_s, {u"-"_s}, pdfOf(report)));
+        const QByteArray pdf = storedPdf(u"limits-2006"_s, language);
+        const QString information = QString::fromUtf8(run(u"pdfinfo"_s, {u"-"_s}, pdf));
         QVERIFY2(information.contains(report.title), qPrintable(information));
         QVERIFY2(information.contains(QRegularExpression(u"Page size: +595[0-9.]* x 84[12][0-9.]* pts"_s)),
                  qPrintable(information));
         QTemporaryDir folder;
         QFile file(folder.filePath(u"report.pdf"_s));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(pdfOf(report));
+        file.write(pdf);
         file.close();
         const QByteArray objects = run(u"qpdf"_s, {u"--qdf"_s, file.fileName(), u"-"_s}, {});
         QVERIFY(objects.contains(language == Language::Id::french ? "/Lang (fr)" : "/Lang (en)"));
@@ -251,7 +250,7 @@ void WritePdf::onlyTheShippedFont() {
     QFETCH(const QString, name);
     QFETCH(const Language::Id, language);
     const QList<QByteArray> lines =
-        run(u"pdffonts"_s, {u"-"_s}, pdfOf(reportOf(storedDocument(name), language))).split('\n').mid(2);
+        run(u"pdffonts"_s, {u"-"_s}, storedPdf(name, language)).split('\n').mid(2);
     QVERIFY(lines.size() > 2);
     for (const QByteArray &line : lines) {
         if (line.isEmpty())
@@ -264,8 +263,8 @@ void WritePdf::onlyTheShippedFont() {
 
 void WritePdf::isVectorsOnly() {
     for (const QString &name : storedDocuments) {
-        const QByteArray images = run(u"pdfimages"_s, {u"-list"_s, u"-"_s},
-                                      pdfOf(reportOf(storedDocument(name), Language::Id::french)));
+        const QByteArray images =
+            run(u"pdfimages"_s, {u"-list"_s, u"-"_s}, storedPdf(name, Language::Id::french));
         QCOMPARE(images.trimmed().count('\n'), 1); // two lines of head
     }
 }
@@ -303,7 +302,7 @@ void WritePdf::isSoundForOtherReaders() {
     QTemporaryDir folder;
     QFile file(folder.filePath(u"report.pdf"_s));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(pdfOf(reportOf(storedDocument(u"two-tests"_s), Language::Id::french)));
+    file.write(storedPdf(u"two-tests"_s, Language::Id::french));
     file.close();
     QVERIFY(
         run(u"qpdf"_s, {u"--check"_s, file.fileName()}, {}).contains("No syntax or stream encoding errors"));

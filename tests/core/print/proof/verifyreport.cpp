@@ -23,8 +23,13 @@ EvaluatedDocument evaluated(const QString &name) {
     return evaluate(std::make_shared<const Document>(storedDocument(name)));
 }
 
-QByteArray pdfOf(const QString &name, Language::Id language = Language::Id::english) {
-    return reportPdf(evaluated(name), language);
+/// Made once for all functions, which change copies.
+const QByteArray &pdfOf(const QString &name, Language::Id language = Language::Id::english) {
+    static std::map<std::pair<QString, Language::Id>, QByteArray> made;
+    QByteArray &pdf = made[{name, language}];
+    if (pdf.isEmpty())
+        pdf = reportPdf(evaluated(name), language);
+    return pdf;
 }
 
 QString english(const Verification &result) {
