@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -371,6 +372,20 @@ void CompareTestsTest::gapsTakeAnotherResidual() {
     axisOf(a).runs[2].deviations[4].reset();
     for (const ComparedParameter &p : compare(a, a).parameters)
         QVERIFY(std::isfinite(*p.uncertainty) && *p.uncertainty > 0);
+
+    // Only the highest target is scattered, by 0, −, 3, −1, −2 µm: the gap draws the 3 of the next cycle.
+    axis.noise = axis.slope = 0;
+    a = axis.make();
+    constexpr std::array scatter{0.0, 0.0, 0.003, -0.001, -0.002};
+    for (std::size_t j = 0; j < 2 * scatter.size(); ++j)
+        *axisOf(a).runs[j].deviations[4] += 0.01 + (j % 2 == 0 ? scatter[j / 2] : 0);
+    axisOf(a).runs[2].deviations[4].reset();
+    const double drawn = std::sqrt((0 + 9 + 9 + 1 + 4) / 5.0 - 0.6 * 0.6) / 1000; // 1.67 µm if it drew none
+    const double ofMean = smallSampleFactor(5) * std::sqrt(5 / 4.0) * drawn / std::sqrt(4);
+    const double expected = 2 * std::sqrt(2) * ofMean / 2; // of both tests, of the mean of both directions
+    // 95.45 % of eight draws are within 2.0 of their deviations but for a few per cent.
+    const double found = *parameter(compare(a, a), "M").repeatabilityAlone;
+    QVERIFY2(std::abs(found / expected - 1) < 0.08, qPrintable(QString::number(found / expected)));
 }
 
 void CompareTestsTest::circlesAddTheirSquares() {
