@@ -79,7 +79,7 @@ void requireKnown(int version) {
 } // namespace
 
 Register::Register(const QString &address, Open open)
-    : m_newFile(address)
+    : m_newFile(open == Open::read ? QString() : address)
     , m_database(address, open == Open::read ? Database::Use::read : Database::Use::write) {
     if (m_database.isServer() && open != Open::read)
         makePlace();

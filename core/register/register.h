@@ -51,7 +51,7 @@ private:
         void keep() { m_path.clear(); }
 
     private:
-        QString m_path; ///< empty: it existed before, or is on a server
+        QString m_path; ///< empty: it existed before, is only read, or is on a server
     };
 
     NewFile m_newFile; ///< destroyed after its users

@@ -853,6 +853,11 @@ void RegisterScanTest::readersNeedReadAccessOnly() {
     QCOMPARE(refusal(path, Register::Open::read), QString()); // by the administrator
     const auto missing = m_dir->filePath("nowhere/register.sqlite");
     QVERIFY(refusal(missing, Register::Open::read).contains("no register yet"));
+    // Nor takes it away what another program has just begun, or a link to a share that is not mounted.
+    const QString link = file("linked.sqlite");
+    QVERIFY(QFile::link(file("not mounted/register.sqlite"), link));
+    QVERIFY(refusal(link, Register::Open::read).contains("no register yet"));
+    QVERIFY(QFileInfo(link).isSymLink());
     QVERIFY(!QFile::exists(m_dir->filePath("nowhere")));
 }
 
