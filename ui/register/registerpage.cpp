@@ -38,16 +38,16 @@ std::vector<ListedTest> testsOf(const QString &axis, const std::vector<ListedTes
 
 } // namespace
 
-RegisterPage::RegisterPage(const RegisterMenus &menus)
-    : m_menus(menus)
+RegisterPage::RegisterPage(const RegisterMenus &menus, QWidget *parent)
+    : QWidget(parent)
+    , m_menus(menus)
     , m_trend(new TrendView(menus)) {
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
-    m_testsPart = makeTests();
-    m_stacked->addWidget(m_testsPart);
-    m_stacked->addWidget(makeTrend());
-    m_stacked->setSizes({280, 360});
     inColumn(this, noMargins, 0, {m_head, {m_stacked, 1}});
+    m_testsPart = makeTests();
+    makeTrend();
+    m_stacked->setSizes({280, 360});
     menus.under->setEnabled(false);
     connect(m_head, &MachineHead::intervalChosen, this, &RegisterPage::intervalChosen);
     connect(menus.intervals, &QMenu::aboutToShow, this,
@@ -61,7 +61,7 @@ RegisterPage::RegisterPage(const RegisterMenus &menus)
 }
 
 QWidget *RegisterPage::makeTests() {
-    auto *part = new QWidget;
+    auto *part = new QWidget(m_stacked);
     connect(m_filters, &FilterBar::chosen, this, [this](bool axis) {
         if (axis)
             forgetEdition();
@@ -76,14 +76,12 @@ QWidget *RegisterPage::makeTests() {
 }
 
 /// The trend with its facts, or next to it the curves that are compared.
-QWidget *RegisterPage::makeTrend() {
+void RegisterPage::makeTrend() {
     m_comparison->hide();
     connect(m_comparison, &CurveComparison::closed, this, [this] { m_menus.compare->setChecked(false); });
     connect(m_trend, &TrendView::testChosen, m_table, &TestsView::choose);
     connect(m_trend, &TrendView::othersShown, m_table, &TestsView::setOtherSeries);
-    auto *part = new QWidget;
-    inRow(part, noMargins, 0, {{m_trend, 3}, {m_comparison, 3}});
-    return part;
+    inRow(new QWidget(m_stacked), noMargins, 0, {{m_trend, 3}, {m_comparison, 3}});
 }
 
 void RegisterPage::retranslate() {

@@ -19,7 +19,7 @@ class RegisterPage : public QWidget {
 
 public:
     /// Connects and enables the actions on tests, editions, curves and filters.
-    explicit RegisterPage(const RegisterMenus &menus);
+    explicit RegisterPage(const RegisterMenus &menus, QWidget *parent = nullptr);
 
     void setMachine(const MachineRow *machine); ///< null: none
     /// Selection and trend stay if nothing shown has changed.
@@ -42,7 +42,7 @@ signals:
 
 private:
     QWidget *makeTests();
-    QWidget *makeTrend();
+    void makeTrend();
     void fillEditions();
     void evaluateUnder(const std::string &edition);
     void findChanges();

@@ -55,26 +55,28 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     constexpr QSize usual(1280, 800);
     setObjectName(QStringLiteral("registerWindow"));
     setAcceptDrops(true);
+    loadMachines(); // read while the window is made
     makeActions();
-    auto *firstUse = new RegisterFirstUse;
-    connect(firstUse, &RegisterFirstUse::folderWanted, this, &RegisterWindow::addFolder);
-    m_stack = new QStackedWidget;
-    QScrollArea *firstPlace = scrolledPlace(m_stack);
-    firstPlace->setWidget(firstUse);
-    m_stack->addWidget(firstPlace);
-    m_page = new RegisterPage(m_menus);
-    m_stack->addWidget(m_page);
-    m_side = new MachineSide;
-    connect(m_side, &MachineSide::machineChosen, this, &RegisterWindow::showMachine);
-    connect(m_side, &MachineSide::testsWanted, m_page, &RegisterPage::goToTests);
+    // From the outside in: Qt applies the style sheet again to all that is moved to another parent.
+    QScrollArea *place = scrolledPlace(this); // for screens that are too small
+    setCentralWidget(place);
     m_parts = new ThinSplitter(Qt::Horizontal);
+    place->setWidget(m_parts);
+    m_side = new MachineSide;
     m_parts->addWidget(m_side);
+    m_stack = new QStackedWidget;
     m_parts->addWidget(m_stack);
     m_parts->setStretchFactor(1, 1);
     m_parts->setSizes({listWidth, usual.width() - listWidth});
-    QScrollArea *place = scrolledPlace(this); // for screens that are too small
-    place->setWidget(m_parts);
-    setCentralWidget(place);
+    QScrollArea *firstPlace = scrolledPlace(m_stack);
+    m_stack->addWidget(firstPlace);
+    auto *firstUse = new RegisterFirstUse;
+    firstPlace->setWidget(firstUse);
+    connect(firstUse, &RegisterFirstUse::folderWanted, this, &RegisterWindow::addFolder);
+    m_page = new RegisterPage(m_menus, m_stack);
+    m_stack->addWidget(m_page);
+    connect(m_side, &MachineSide::machineChosen, this, &RegisterWindow::showMachine);
+    connect(m_side, &MachineSide::testsWanted, m_page, &RegisterPage::goToTests);
     m_status = new RegisterStatus(service);
     setStatusBar(m_status);
     connect(m_page, &RegisterPage::intervalChosen, this, &RegisterWindow::setInterval);
@@ -88,7 +90,6 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     resize(sizeOnScreen(*this, usual));
     if (m_stack->currentIndex() == 0)
         firstUse->setFocus();
-    loadMachines();
 }
 
 RegisterWindow::~RegisterWindow() = default;
@@ -164,13 +165,9 @@ void RegisterWindow::setFolders(const QStringList &folders) {
 
 void RegisterWindow::loadMachines() {
     m_machineLane.cancel();
-    const QString &address = m_service.address();
-    if (!isServerAddress(address) && !QFileInfo::exists(address)) {
-        takeMachines({});
-        return;
-    }
-    m_machineLane.start([address](const Background::Job &) { return readMachines(address); },
-                        [this](std::vector<MachineRow> rows) { takeMachines(std::move(rows)); });
+    m_machineLane.start(
+        [address = m_service.address()](const Background::Job &) { return readMachines(address); },
+        [this](std::vector<MachineRow> rows) { takeMachines(std::move(rows)); });
 }
 
 void RegisterWindow::takeMachines(std::vector<MachineRow> rows) {

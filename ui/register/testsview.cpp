@@ -5,6 +5,7 @@
 #include "ui/measures.h"
 #include "ui/theme.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QMenu>
 #include <QShortcut>
@@ -61,6 +62,7 @@ void TestsView::retranslate() {
 
 void TestsView::setTests(std::vector<ListedTest> tests) {
     m_tests->setTests(std::move(tests));
+    m_contents.clear();
     fitColumns();
 }
 
@@ -118,6 +120,20 @@ void TestsView::resizeEvent(QResizeEvent *event) {
     QTableView::resizeEvent(event);
 }
 
+void TestsView::changeEvent(QEvent *event) {
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange)
+        m_contents.clear();
+}
+
+/// Of the contents and of the heading.
+int TestsView::neededWidth(int column) {
+    const auto [known, isNew] = m_contents.try_emplace(column, 0);
+    if (isNew)
+        known->second = sizeHintForColumn(column);
+    return std::max(known->second, horizontalHeader()->sectionSizeHint(column));
+}
+
 void TestsView::fitResults() {
     constexpr int leastValue = 44;
     constexpr int leastResult = 80;
@@ -144,18 +160,17 @@ void TestsView::fitColumns() {
     constexpr int markPadding = 20 + 2 * resultPadding; ///< of a word after its mark
     constexpr int leastWord = 64;                       ///< of a shrinkable column, whose text is elided
     constexpr int leastAxis = 40;
-    resizeColumnsToContents();
     for (int i = TestTableModel::dateColumn; i < TestTableModel::firstResult; ++i)
-        setColumnWidth(i, columnWidth(i) + padding);
+        setColumnWidth(i, neededWidth(i) + padding);
     setColumnWidth(TestTableModel::markColumn, markWidth);
     fitResults();
     const int results = static_cast<int>(m_tests->results().size());
     const int limits = TestTableModel::firstResult + results;
     setColumnHidden(limits, false); // may be hidden for another axis
     setColumnHidden(limits + 1, false);
-    setColumnWidth(limits, std::max(limitsWidth, columnWidth(limits) + markPadding));
+    setColumnWidth(limits, std::max(limitsWidth, neededWidth(limits) + markPadding));
     constexpr int changeWidth = 130;
-    setColumnWidth(limits + 1, std::max(accordanceWidth, sizeHintForColumn(limits + 1) + markPadding));
+    setColumnWidth(limits + 1, std::max(accordanceWidth, neededWidth(limits + 1) + markPadding));
     setColumnHidden(limits + 2, width() < leastForChange);
     int tooWide =
         (width() < leastForChange ? 0 : changeWidth) - viewport()->width(); // the last takes the rest

@@ -38,17 +38,21 @@ signals:
     void openAsked(); ///< the chosen test
 
 protected:
+    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     void openCurrent();
     void fitColumns();
+    [[nodiscard]] int neededWidth(int column);
     void fitResults();
     [[nodiscard]] const ListedTest &testAt(const QModelIndex &index) const;
 
     TestTableModel *m_tests = new TestTableModel(this);
     QSortFilterProxyModel *m_sorted = new QSortFilterProxyModel(this);
     TestDelegate *m_delegate = new TestDelegate(this);
+    std::map<int, int>
+        m_contents; ///< px that the contents of a column need, where measured since they changed
 };
 
 } // namespace palmer::ui
