@@ -18,7 +18,7 @@ namespace palmer {
 namespace {
 
 constexpr std::size_t rowLimit = 10'000'000;
-constexpr std::size_t cellLimit = 10'000'000;
+constexpr std::size_t cellLimit = 10'000'000; ///< with the empty ones of nearly empty sheets
 constexpr std::size_t longestCell = std::numeric_limits<std::uint16_t>::max();
 constexpr std::size_t quoteReach = 4096; ///< an unclosed quotation mark is a character beyond this
 constexpr std::size_t sampleRows = 300;
@@ -687,6 +687,12 @@ std::size_t CellTable::column(const TableCell &cell) const {
                                  [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+void TableBuilder::reserve(std::size_t cells) {
+    constexpr std::size_t usualText = 8; // bytes of a cell
+    m_table.m_cells.reserve(std::min(cells, cellLimit));
+    m_table.m_text.reserve(std::min(cells, cellLimit) * usualText);
+}
+
 void TableBuilder::beginRow(std::size_t line) {
     if (m_table.m_rows.size() >= rowLimit)
         refuseTableSize(placeOfLine(line));
@@ -699,8 +705,7 @@ void TableBuilder::beginRow(std::size_t line) {
 TableCell &TableBuilder::append(std::string_view cell) {
     TableRow &row = m_table.m_rows.back();
     constexpr std::size_t textLimit = std::size_t(1) << 28U;
-    constexpr std::size_t builtLimit = 10'000'000; // cells, including those of nearly empty sheets
-    if (m_table.m_cells.size() >= builtLimit || m_table.m_text.size() > textLimit)
+    if (m_table.m_cells.size() >= cellLimit || m_table.m_text.size() > textLimit)
         refuseTableSize(placeOfLine(row.line));
     if (row.count++ > 0)
         m_table.m_text += '\t';

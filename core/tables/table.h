@@ -123,6 +123,8 @@ private:
 /// Builds a table from separate cells, as in a workbook; numbers have a decimal point.
 class TableBuilder {
 public:
+    /// Makes room for so many cells, up to the most that a table holds.
+    void reserve(std::size_t cells);
     void beginRow(std::size_t line);
     void add(std::string_view cell); ///< a text, possibly a number typed as text
     void add(double number, std::string_view shown);

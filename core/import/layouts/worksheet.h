@@ -25,6 +25,11 @@ public:
     explicit Sheet(const Choices &choices)
         : m_leavesHidden(choices.chosen("hidden") == "leave") {}
 
+    /// Makes room for the cells of a sheet of so many bytes of XML.
+    void expect(qint64 bytes) {
+        constexpr qint64 usualCell = 26; // <c r="B12"><v>0.01</v></c>
+        m_builder.reserve(static_cast<std::size_t>(bytes / usualCell));
+    }
     /// Columns from 0, in ascending order, as described in files.
     void hideColumns(int first, int count) {
         if (first < std::ssize(m_hiddenColumns))

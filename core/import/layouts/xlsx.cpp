@@ -321,6 +321,7 @@ std::optional<Workbook> xlsxOf(ZipFile &zip) {
                   stylesOf(zip, beside(QStringLiteral("styles"))), book.firstDay});
     return Workbook{book.sheets, [&zip, cells, sheets = book.sheets](std::size_t index, Sheet &sheet) {
                         XlsxReader reader(*cells, sheet);
+                        sheet.expect(zip.statedSize(sheets[index].member));
                         zip.walk(sheets[index].member, reader);
                     }};
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <map>
 #include <memory>
 #include <new>
@@ -123,8 +124,15 @@ public:
 
     [[nodiscard]] bool contains(const QString &name) const override { return find(name) >= 0; }
     void walk(const QString &name, XmlHandler &handler) override;
+    [[nodiscard]] qint64 statedSize(const QString &name) const override;
 
 private:
+    /// Sizes of a member, unpacked and the most it may have; the first is 0 if the archive does not state it.
+    struct Sizes {
+        qint64 stated = 0;
+        qint64 most = 0;
+    };
+    [[nodiscard]] Sizes sizesOf(qint64 index) const;
     [[nodiscard]] qint64 find(const QString &name) const; ///< below 0 if there is none
 
     zip_t *m_archive = nullptr;
@@ -154,10 +162,7 @@ qint64 ZipFileOfLibzip::find(const QString &name) const {
     return zip_name_locate(m_archive, otherSlashes.constData(), ZIP_FL_NOCASE);
 }
 
-void ZipFileOfLibzip::walk(const QString &name, XmlHandler &handler) {
-    const qint64 index = find(name);
-    if (index < 0)
-        return;
+ZipFileOfLibzip::Sizes ZipFileOfLibzip::sizesOf(qint64 index) const {
     zip_stat_t stat;
     zip_stat_init(&stat);
     if (zip_stat_index(m_archive, static_cast<zip_uint64_t>(index), 0, &stat) != 0)
@@ -166,9 +171,26 @@ void ZipFileOfLibzip::walk(const QString &name, XmlHandler &handler) {
     qint64 left = allLimit;
     for (const auto &[other, size] : m_unpacked)
         left -= other == index ? 0 : size;
-    const qint64 most = std::min({memberLimit, left, std::max<qint64>(packed, 1024) * ratioLimit});
-    if ((stat.valid & ZIP_STAT_SIZE) && stat.size > static_cast<zip_uint64_t>(most))
-        refuseBomb(); // by its stated size; the actual size is checked below
+    constexpr auto mostStated = static_cast<zip_uint64_t>(std::numeric_limits<qint64>::max());
+    return {(stat.valid & ZIP_STAT_SIZE) ? static_cast<qint64>(std::min(stat.size, mostStated)) : 0,
+            std::min({memberLimit, left, std::max<qint64>(packed, 1024) * ratioLimit})};
+}
+
+qint64 ZipFileOfLibzip::statedSize(const QString &name) const {
+    const qint64 index = find(name);
+    if (index < 0)
+        return 0;
+    const auto [stated, most] = sizesOf(index);
+    return std::min(stated, most);
+}
+
+void ZipFileOfLibzip::walk(const QString &name, XmlHandler &handler) {
+    const qint64 index = find(name);
+    if (index < 0)
+        return;
+    const auto [stated, most] = sizesOf(index);
+    if (stated > most)
+        refuseBomb(); // the actual size is checked below
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t *)> file(
         zip_fopen_index(m_archive, static_cast<zip_uint64_t>(index), 0), zip_fclose);
     if (!file)

@@ -71,6 +71,9 @@ public:
     /// times its compressed size, or 512 MiB for all members (each counted once); and whatever the handler
     /// throws.
     virtual void walk(const QString &name, XmlHandler &handler) = 0;
+    /// In bytes, unpacked, as the archive states it and not more than walk() unpacks; 0 without such a
+    /// member.
+    [[nodiscard]] virtual qint64 statedSize(const QString &name) const = 0;
 
 protected:
     ZipFile() = default;
