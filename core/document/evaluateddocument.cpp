@@ -16,51 +16,78 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
+#include <tuple>
 
 namespace palmer {
 
 namespace {
 
-/// Unnamed axes may be different ones.
-bool isOfAxis(const PositioningMeasurement &a, const PositioningMeasurement &b) {
-    return !isBlank(a.axis.name) && a.axis.name == b.axis.name && a.axis.motion == b.axis.motion;
+/// What tells the axis or plane of a test; null where it is not named, for it may be any, and for drift
+/// tests.
+using PlaceKey = std::tuple<Kind, std::string, std::string, int>;
+
+std::optional<PlaceKey> placeOf(const PositioningMeasurement &measurement) {
+    const Axis &axis = measurement.axis;
+    if (isBlank(axis.name))
+        return std::nullopt;
+    return PlaceKey{Kind::positioning, axis.name, {}, static_cast<int>(axis.motion)};
+}
+std::optional<PlaceKey> placeOf(const CircularMeasurement &measurement) {
+    const Plane &plane = measurement.plane;
+    return PlaceKey{Kind::circular, plane.first, plane.second, static_cast<int>(measurement.source)};
+}
+std::optional<PlaceKey> placeOf(const DriftMeasurement & /*measurement*/) {
+    return std::nullopt;
 }
 
-/// For a long axis a file has two tests: the whole travel and the zone.
-bool isOtherTest(const PositioningMeasurement &a, const PositioningMeasurement &b) {
-    return isOfAxis(a, b) && isInsideZone(a) != isInsideZone(b);
+bool isOfZone(const PositioningMeasurement &measurement) {
+    return isInsideZone(measurement);
 }
-
-bool isOtherTest(const auto & /*a*/, const auto & /*b*/) {
+bool isOfZone(const auto & /*measurement*/) {
     return false;
 }
 
-bool isRepetition(const PositioningMeasurement &a, const PositioningMeasurement &b) {
-    return isOfAxis(a, b) && isInsideZone(a) == isInsideZone(b);
-}
+/// How many tests of a document are of each axis or plane, which each test is asked.
+class Siblings {
+public:
+    explicit Siblings(const Document &document) {
+        for (const TestPointer &test : document.tests)
+            std::visit(
+                [&](const auto &measurement) {
+                    const auto place = placeOf(measurement);
+                    if (!place)
+                        return;
+                    const bool inZone = isOfZone(measurement);
+                    ++m_zones[{*place, inZone}];
+                    ++m_editions[{*place, inZone, test->edition}];
+                },
+                test->measurement);
+    }
 
-bool isRepetition(const CircularMeasurement &a, const CircularMeasurement &b) {
-    return a.plane == b.plane && a.source == b.source;
-}
+    /// True if another test has the same axis or plane and edition; whole travel and zone are no repetition.
+    [[nodiscard]] bool isRepeated(const Test &test) const {
+        return std::visit(
+            [&](const auto &measurement) {
+                const auto place = placeOf(measurement);
+                return place && m_editions.at({*place, isOfZone(measurement), test.edition}) > 1;
+            },
+            test.measurement);
+    }
+    /// For a long axis a file has two tests: the whole travel and the zone.
+    [[nodiscard]] bool hasOther(const Test &test) const {
+        return std::visit(
+            [&](const auto &measurement) {
+                const auto place = placeOf(measurement);
+                return place && m_zones.contains({*place, !isOfZone(measurement)});
+            },
+            test.measurement);
+    }
 
-bool isRepetition(const DriftMeasurement & /*a*/, const DriftMeasurement & /*b*/) {
-    return false;
-}
-
-bool hasOtherTest(const Document &document, const Test &test) {
-    return std::ranges::any_of(document.tests, [&](const TestPointer &other) {
-        return other.get() != &test &&
-               areOfOneKind(test, *other, [](const auto &a, const auto &b) { return isOtherTest(a, b); });
-    });
-}
-
-/// True if another test has the same axis or plane and edition; whole travel and zone are no repetition.
-bool isRepeated(const Document &document, const Test &test) {
-    return std::ranges::any_of(document.tests, [&](const TestPointer &other) {
-        return other.get() != &test && other->edition == test.edition &&
-               areOfOneKind(test, *other, [](const auto &a, const auto &b) { return isRepetition(a, b); });
-    });
-}
+private:
+    std::map<std::pair<PlaceKey, bool>, int> m_zones;
+    std::map<std::tuple<PlaceKey, bool, std::string>, int> m_editions;
+};
 
 /// True if there is no picture or a printable one. Caches the latest results, as this is called for every
 /// test on every change.
@@ -82,10 +109,10 @@ bool isReadable(const std::optional<std::string> &picture) {
     return one.readable;
 }
 
-Surroundings surroundings(const Document &document, const Test &test) {
+Surroundings surroundings(const Document &document, const Siblings &siblings, const Test &test) {
     Surroundings result;
     result.machine = &document.machine;
-    result.repeated = isRepeated(document, test);
+    result.repeated = siblings.isRepeated(test);
     result.adjustmentsStated = !document.report.adjustments.empty();
     result.picturesReadable =
         isReadable(document.report.laboratory.logo) && isReadable(document.report.laboratory.mark);
@@ -105,7 +132,7 @@ Surroundings surroundings(const Document &document, const Test &test) {
         if (found != document.instruments.end())
             result.instruments.push_back(&*found);
     }
-    result.otherTestOfLongAxis = hasOtherTest(document, test);
+    result.otherTestOfLongAxis = siblings.hasOther(test);
     if (const std::string *drift = driftTestOf(test)) {
         if (const auto variation = driftVariation(document, *drift, test)) {
             result.environmentalVariation = variation->value;
@@ -140,9 +167,9 @@ bool sameForSimulation(const Test &a, const Test &b) {
 }
 
 /// Returns the surroundings with a simulation of the test.
-Surroundings surroundings(const Document &document, const TestPointer &test,
+Surroundings surroundings(const Document &document, const Siblings &siblings, const TestPointer &test,
                           const TestSimulation &simulation) {
-    Surroundings result = surroundings(document, *test);
+    Surroundings result = surroundings(document, siblings, *test);
     result.simulation = simulation.simulation;
     result.simulationOutdated = simulation.simulation && simulation.of != test &&
                                 (!simulation.of || !sameForSimulation(*simulation.of, *test));
@@ -204,8 +231,8 @@ const Edition *askedOf(std::span<const std::string> editions, std::size_t test) 
 }
 
 /// Returns the evaluation of this test in `previous` if nothing it depends on has changed, otherwise null.
-TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPointer &test,
-                                const Surroundings &now, const Edition *edition) {
+TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const Siblings &siblings,
+                                const TestPointer &test, const Surroundings &now, const Edition *edition) {
     const auto &tests = previous.document->tests;
     const auto found = std::ranges::find(tests, test);
     if (found == tests.end())
@@ -214,15 +241,16 @@ TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPoi
     if (previous.isPending(index))
         return nullptr;
     const auto &evaluation = previous.tests[index];
-    const bool same = evaluation->edition == edition &&
-                      sameContent(surroundings(*previous.document, test, simulationOf(previous, index)), now);
+    const bool same =
+        evaluation->edition == edition &&
+        sameContent(surroundings(*previous.document, siblings, test, simulationOf(previous, index)), now);
     return same ? evaluation : nullptr;
 }
 
 } // namespace
 
 Surroundings surroundingsOf(const Document &document, std::size_t test) {
-    return surroundings(document, *document.tests[test]);
+    return surroundings(document, Siblings(document), *document.tests[test]);
 }
 
 std::optional<Variation> driftVariation(const Document &document, const std::string &id, const Test &test) {
@@ -280,6 +308,8 @@ EvaluatedDocument evaluate(std::shared_ptr<const Document> document, const Evalu
 EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
                                 std::span<const std::string> editions, const EvaluatedDocument *previous) {
     EvaluatedDocument result;
+    const Siblings siblings(*document);
+    const Siblings before(previous && previous->document ? *previous->document : *document);
     for (std::size_t i = 0; i < document->tests.size(); ++i) {
         const TestPointer &test = document->tests[i];
         const Edition *other = askedOf(editions, i);
@@ -288,10 +318,10 @@ EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
             if (const auto place = placeIn(*previous, *document, i))
                 simulation = simulationOf(*previous, *place);
         }
-        const Surroundings around = surroundings(*document, test, simulation);
+        const Surroundings around = surroundings(*document, siblings, test, simulation);
         const Edition *used = editionFor(*test, other);
         TestEvaluationPointer evaluation =
-            previous && previous->document ? unchanged(*previous, test, around, used) : nullptr;
+            previous && previous->document ? unchanged(*previous, before, test, around, used) : nullptr;
         if (!evaluation)
             evaluation = std::make_shared<const TestEvaluation>(evaluateTest(*test, around, other));
         result.tests.push_back(std::move(evaluation));
@@ -304,6 +334,8 @@ EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
 EvaluatedDocument awaitingResults(std::shared_ptr<const Document> document,
                                   std::span<const std::string> editions, const EvaluatedDocument &previous) {
     EvaluatedDocument result;
+    const Siblings siblings(*document);
+    const Siblings before(previous.document ? *previous.document : *document);
     for (std::size_t i = 0; i < document->tests.size(); ++i) {
         const TestPointer &test = document->tests[i];
         const Edition *other = askedOf(editions, i);
@@ -312,7 +344,8 @@ EvaluatedDocument awaitingResults(std::shared_ptr<const Document> document,
         const Edition *used = editionFor(*test, other);
         TestEvaluationPointer evaluation;
         if (place)
-            evaluation = unchanged(previous, test, surroundings(*document, test, simulation), used);
+            evaluation =
+                unchanged(previous, before, test, surroundings(*document, siblings, test, simulation), used);
         if (!evaluation) {
             TestEvaluation awaiting = withoutResults(*test, used);
             if (place) {
@@ -340,7 +373,7 @@ std::optional<TestSimulation> simulateTest(const EvaluatedDocument &evaluated, s
     if (!edition)
         return std::nullopt;
     const TestPointer &source = evaluated.document->tests[test];
-    const Surroundings around = surroundings(*evaluated.document, *source);
+    const Surroundings around = surroundings(*evaluated.document, Siblings(*evaluated.document), *source);
     auto simulation = simulate(*source, around, *edition, options, stop, progress);
     if (!simulation)
         return std::nullopt;
@@ -354,7 +387,8 @@ EvaluatedDocument withSimulation(const EvaluatedDocument &evaluated, std::size_t
     const TestPointer &source = evaluated.document->tests[test];
     result.simulations.resize(result.tests.size());
     result.simulations[test] = std::move(simulation);
-    const Surroundings around = surroundings(*evaluated.document, source, result.simulations[test]);
+    const Surroundings around =
+        surroundings(*evaluated.document, Siblings(*evaluated.document), source, result.simulations[test]);
     result.tests[test] =
         std::make_shared<const TestEvaluation>(evaluateTest(*source, around, evaluated.tests[test]->edition));
     return result;

@@ -113,7 +113,7 @@ void ComparisonPage::makeBar() {
 }
 
 const Test *ComparisonPage::test() const {
-    return m_test < m_evaluated.tests.size() ? m_evaluated.document->tests[m_test].get() : nullptr;
+    return m_test < m_evaluated->tests.size() ? m_evaluated->document->tests[m_test].get() : nullptr;
 }
 
 void ComparisonPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
@@ -121,8 +121,8 @@ void ComparisonPage::show(const EvaluatedDocument &evaluated, std::size_t test) 
     const bool another = !former || test >= evaluated.tests.size() ||
                          former->id != evaluated.document->tests[test]->id ||
                          (former->id.empty() && m_test != test);
-    const bool same = !another && m_test == test && m_evaluated.document == evaluated.document;
-    m_evaluated = evaluated;
+    const bool same = !another && m_test == test && m_evaluated->document == evaluated.document;
+    m_evaluated = std::make_shared<const EvaluatedDocument>(evaluated);
     m_test = test;
     if (same && m_result)
         return;
@@ -136,7 +136,7 @@ void ComparisonPage::show(const EvaluatedDocument &evaluated, std::size_t test) 
     if (const Test *shown = this->test()) {
         for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
             if (i != test && isJudged(*shown) && areOfSameAxis(*shown, *evaluated.document->tests[i]))
-                own.push_back({evaluated, i, {}});
+                own.push_back({m_evaluated, i, {}});
         }
     }
     m_offers.insert(m_offers.begin(), own.begin(), own.end());
@@ -159,7 +159,7 @@ void ComparisonPage::fillBox() {
     m_other->clear();
     m_other->addItem(tr("no test", "to compare with"));
     for (const Offer &offer : m_offers) {
-        const Test &other = *offer.evaluated.document->tests[offer.test];
+        const Test &other = *offer.evaluated->document->tests[offer.test];
         QStringList words{testName(other)};
         if (!offer.file.isEmpty())
             words << offer.file;
@@ -173,7 +173,7 @@ void ComparisonPage::fillBox() {
     for (std::size_t i = 0; i < m_offers.size(); ++i) {
         const bool stated =
             shown && shown->comparedWith && m_offers[i].file.isEmpty() &&
-            m_offers[i].evaluated.document->tests[m_offers[i].test]->id == shown->comparedWith->test;
+            m_offers[i].evaluated->document->tests[m_offers[i].test]->id == shown->comparedWith->test;
         if (m_ofFile ? *m_ofFile == i : stated)
             row = static_cast<int>(i) + 1;
     }
@@ -219,7 +219,7 @@ void ComparisonPage::state() {
     std::optional<ComparedWith> stated;
     if (row > 0 && row <= static_cast<int>(m_offers.size())) {
         const Offer &offer = m_offers[static_cast<std::size_t>(row) - 1];
-        stated = ComparedWith{offer.evaluated.document->tests[offer.test]->id, {}, m_untouched->isChecked()};
+        stated = ComparedWith{offer.evaluated->document->tests[offer.test]->id, {}, m_untouched->isChecked()};
         const auto entry =
             enteredNumber(m_tolerance->text(), deviationQuantity(*shown), windowLanguage().units());
         if (entry.value && *entry.value > 0)
@@ -240,8 +240,9 @@ bool ComparisonPage::addFile(const QString &path) {
     const QString file = QFileInfo(path).fileName();
     try {
         std::vector<Message> guesses;
-        const EvaluatedDocument other = evaluate(std::make_shared<const Document>(readTests(path, guesses)));
-        const auto like = counterpart({&m_evaluated, m_test}, other);
+        const auto other = std::make_shared<const EvaluatedDocument>(
+            evaluate(std::make_shared<const Document>(readTests(path, guesses))));
+        const auto like = counterpart({m_evaluated.get(), m_test}, *other);
         if (!like) {
             showError(this, tr("%1 has no test like this one").arg(file),
                       tr("A comparison needs the same axis or plane, directions and radius."));
@@ -286,7 +287,7 @@ void ComparisonPage::want() {
         return;
     }
     Result result{*other, {m_evaluated, m_test, {}}, {}, m_backwards->isChecked()};
-    if (precedes(*shown, *other->evaluated.document->tests[other->test]))
+    if (precedes(*shown, *other->evaluated->document->tests[other->test]))
         result.swapped = !result.swapped;
     if (result.swapped)
         std::swap(result.before, result.after);
@@ -298,8 +299,7 @@ void ComparisonPage::want() {
         present();
     m_worker.start(
         [result = std::move(result), options](const Background::Job &) mutable {
-            result.comparison = compare({&result.before.evaluated, result.before.test},
-                                        {&result.after.evaluated, result.after.test}, options);
+            result.comparison = compare(result.before.placed(), result.after.placed(), options);
             return std::move(result);
         },
         [this](Result done) {
@@ -326,8 +326,8 @@ void ComparisonPage::present() {
         return;
     }
     const Language &language = windowLanguage();
-    const PlacedTest was{&m_result->before.evaluated, m_result->before.test};
-    const PlacedTest is{&m_result->after.evaluated, m_result->after.test};
+    const PlacedTest was = m_result->before.placed();
+    const PlacedTest is = m_result->after.placed();
     const TestComparison &comparison = m_result->comparison;
     const VerdictLine decision = decisionLine(comparison, language);
     QString word = decision.word.toLower();

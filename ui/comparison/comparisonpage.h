@@ -41,9 +41,11 @@ protected:
 private:
     /// A test to compare with: of this file, or of another one.
     struct Offer {
-        EvaluatedDocument evaluated;
+        std::shared_ptr<const EvaluatedDocument> evaluated;
         std::size_t test = 0;
         QString file; ///< empty: this one
+
+        [[nodiscard]] PlacedTest placed() const { return {evaluated.get(), test}; }
     };
     struct Result {
         Offer before;
@@ -67,7 +69,7 @@ private:
     [[nodiscard]] const Test *test() const;
 
     DocumentModel &m_model;
-    EvaluatedDocument m_evaluated;
+    std::shared_ptr<const EvaluatedDocument> m_evaluated = std::make_shared<const EvaluatedDocument>();
     std::size_t m_test = 0;
     std::vector<Offer> m_offers;
     std::optional<std::size_t> m_ofFile; ///< the offer of another file that is shown
