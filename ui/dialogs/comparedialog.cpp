@@ -30,6 +30,7 @@
 #include <QTabWidget>
 #include <QTableWidget>
 #include <algorithm>
+#include <map>
 
 namespace palmer::ui {
 
@@ -204,7 +205,7 @@ QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
 
 CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent)
     : Translated(parent)
-    , m_evaluated(evaluated)
+    , m_evaluated(std::make_shared<const EvaluatedDocument>(evaluated))
     , m_test(test)
     , m_tabs(made<QTabWidget>("compareTabs", this))
     , m_editionList(made<QListWidget>("editionList", this))
@@ -240,9 +241,9 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
         const Test &shown = *evaluated.document->tests[test];
         for (const std::string &word : editionsToCompare(shown))
             m_editions.emplace_back(word, true);
-        m_offers.push_back({{evaluated, test, testName(shown)}, true});
+        m_offers.push_back({m_evaluated, test, testName(shown), true});
     }
-    offer(evaluated, {});
+    offer(m_evaluated, {});
     connect(m_editionList, &QListWidget::itemChanged, this, [this](QListWidgetItem *item) {
         m_editions[static_cast<std::size_t>(m_editionList->row(item))].second =
             item->checkState() == Qt::Checked;
@@ -261,23 +262,32 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
         table->viewport()->installEventFilter(this);
 }
 
-/// Adds the tests of a document comparable with the one in view; those of its own axis are preselected.
-void CompareDialog::offer(const EvaluatedDocument &evaluated, const QString &file) {
+/// Adds the tests of a document comparable with the one in view; those of its own axis are preselected, as
+/// many as a table shows. Equal names are numbered.
+void CompareDialog::offer(const std::shared_ptr<const EvaluatedDocument> &evaluated, const QString &file) {
+    constexpr std::ptrdiff_t mostPreselected = 8;
     if (m_offers.empty())
         return;
-    const Test &first = *m_offers[0].test.evaluated.document->tests[m_offers[0].test.test];
-    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
-        const Test &test = *evaluated.document->tests[i];
+    const Test &first = *m_offers[0].evaluated->document->tests[m_offers[0].test];
+    std::map<QString, int> named;
+    for (const Offer &offer : m_offers)
+        ++named[offer.name];
+    std::ptrdiff_t chosen = std::ranges::count_if(m_offers, &Offer::isChosen);
+    for (std::size_t i = 0; i < evaluated->tests.size(); ++i) {
+        const Test &test = *evaluated->document->tests[i];
         const bool itself = file.isEmpty() && i == m_test;
         if (itself || !isComparable(first, test))
             continue;
-        QString name = file.isEmpty() ? testName(test) : QStringLiteral("%1 – %2").arg(testName(test), file);
-        const auto isNamed = [](const QString &wish) {
-            return [&wish](const Offer &offer) { return offer.test.name == wish; };
-        };
-        for (int number = 2; std::ranges::any_of(m_offers, isNamed(name)); ++number)
-            name = QStringLiteral("%1 (%2)").arg(testName(test)).arg(number);
-        m_offers.push_back({{evaluated, i, name}, !file.isEmpty() || areOfSameAxis(first, test)});
+        const QString base = testName(test);
+        QString name = file.isEmpty() ? base : QStringLiteral("%1 – %2").arg(base, file);
+        for (int number = ++named[name]; number > 1; ++number) {
+            name = QStringLiteral("%1 (%2)").arg(base).arg(number);
+            if (named[name]++ == 0)
+                break;
+        }
+        const bool isChosen = !file.isEmpty() || (areOfSameAxis(first, test) && chosen <= mostPreselected);
+        chosen += isChosen ? 1 : 0;
+        m_offers.push_back({evaluated, i, name, isChosen});
     }
 }
 
@@ -293,7 +303,7 @@ void CompareDialog::fillLists() {
     }
     m_testList->clear();
     for (std::size_t i = 0; i < m_offers.size(); ++i) {
-        auto *item = new QListWidgetItem(m_offers[i].test.name, m_testList);
+        auto *item = new QListWidgetItem(m_offers[i].name, m_testList);
         item->setCheckState(m_offers[i].isChosen ? Qt::Checked : Qt::Unchecked);
         if (i == 0)
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
@@ -306,7 +316,7 @@ void CompareDialog::showEditions() {
         if (isShown)
             chosen.push_back(word);
     }
-    m_ofEditions = compareEditions(m_evaluated, m_test, chosen, windowLanguage());
+    m_ofEditions = compareEditions(*m_evaluated, m_test, chosen, windowLanguage());
     const QStringList reasons =
         fill(*m_editionTable, m_ofEditions,
              QStringList{m_ofEditions.unit, tr("quantity")} + m_ofEditions.columns + QStringList{tr("Notes")},
@@ -321,7 +331,7 @@ void CompareDialog::showTests() {
     std::vector<ComparedTest> chosen;
     for (const Offer &offer : m_offers) {
         if (offer.isChosen)
-            chosen.push_back(offer.test);
+            chosen.push_back({*offer.evaluated, offer.test, offer.name});
     }
     m_ofTests = compareTests(chosen, windowLanguage());
     QStringList heads{m_ofTests.unit, tr("quantity")};
@@ -347,7 +357,9 @@ bool CompareDialog::addFile(const QString &path) {
         const std::size_t before = m_offers.size();
         const QString name = QFileInfo(path).fileName();
         std::vector<Message> guesses;
-        offer(evaluate(std::make_shared<const Document>(readTests(path, guesses))), name);
+        offer(std::make_shared<const EvaluatedDocument>(
+                  evaluate(std::make_shared<const Document>(readTests(path, guesses)))),
+              name);
         for (const Message &guess : guesses) {
             if (m_offers.size() > before)
                 m_guesses.emplace_back(name, guess);

@@ -29,11 +29,13 @@ protected:
 
 private:
     struct Offer {
-        ComparedTest test;
+        std::shared_ptr<const EvaluatedDocument> evaluated;
+        std::size_t test = 0;
+        QString name;
         bool isChosen = false;
     };
 
-    void offer(const EvaluatedDocument &evaluated, const QString &file);
+    void offer(const std::shared_ptr<const EvaluatedDocument> &evaluated, const QString &file);
     void fillLists();
     void showEditions();
     void showTests();
@@ -41,7 +43,7 @@ private:
     void copy();
     void retranslate() final;
 
-    EvaluatedDocument m_evaluated;
+    std::shared_ptr<const EvaluatedDocument> m_evaluated;
     std::size_t m_test;
     std::vector<std::pair<std::string, bool>> m_editions; ///< edition, and whether it is shown
     std::vector<Offer> m_offers;                          ///< the first is the test in view
