@@ -19,10 +19,12 @@
 #include "ui/results/resultspanel.h"
 #include "ui/window/mainwindow.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QEventLoop>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QScrollBar>
 #include <QStandardPaths>
@@ -309,6 +311,111 @@ void importLargeTable(benchmark::State &state) {
     openLarge(state, millionLines(), QStringLiteral("csv"));
 }
 BENCHMARK(importLargeTable)->Iterations(5)->Unit(benchmark::kMillisecond);
+
+/// Closes each window that opens beside that one, once it has been shown for a while.
+class Closer : public QObject {
+public:
+    explicit Closer(const MainWindow &window)
+        : m_window(window) {
+        startTimer(50);
+    }
+    [[nodiscard]] QList<QWidget *> open() const {
+        QList<QWidget *> found;
+        for (QWidget *widget : QApplication::topLevelWidgets()) {
+            if (widget != &m_window && widget->isVisible() && !qobject_cast<QMenu *>(widget))
+                found << widget;
+        }
+        return found;
+    }
+
+private:
+    /// Of two that are modal the upper one.
+    void timerEvent(QTimerEvent *) override {
+        constexpr int looks = 8;
+        QWidget *modal = QApplication::activeModalWidget();
+        const QList<QWidget *> all = open();
+        QWidget *next = modal ? modal : all.value(0);
+        m_looks = next && next == m_seen ? m_looks + 1 : 0;
+        m_seen = next;
+        if (m_looks >= looks)
+            next->close();
+    }
+
+    const MainWindow &m_window;
+    const QWidget *m_seen = nullptr;
+    int m_looks = 0;
+};
+
+/// Every action of the menus, with all that follows until the window rests and what opened is closed. 0
+/// tests: one of 10⁶ readings. Goal: no turn above 100 ms.
+void actionTurns(benchmark::State &state) {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    constexpr int million = 1'000'000;
+    const auto count = static_cast<std::size_t>(state.range(0));
+    Document document;
+    document.tests.assign(
+        std::max<std::size_t>(count, 1),
+        std::make_shared<const Test>(count == 0 ? largeTest(million) : testdata::decidedExample()));
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("actions.palmer"));
+    saveBytes(writeDocument(document), path);
+    for (auto _ : state) {
+        auto *window = new MainWindow;
+        window->resize(1280, 800);
+        window->show();
+        window->openFile(path);
+        while (!window->hasDocument())
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        resolve(*window);
+        const Closer closer(*window);
+        const auto rest = [&] {
+            QEventLoop later;
+            QTimer::singleShot(100, &later, &QEventLoop::quit);
+            later.exec();
+            resolve(*window);
+            while (!closer.open().isEmpty())
+                QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        };
+        auto *undo = window->findChild<QAction *>(QStringLiteral("undo"));
+        double longest = 0;
+        QStringList slow;
+        int tried = 0;
+        for (QAction *action : window->findChildren<QAction *>()) {
+            const QString name = action->objectName();
+            if (name.isEmpty() || action->menu() || name == u"quit" || name == u"close")
+                continue;
+            window->model().edit("remark", [](Document &edited) { edited.report.remarks += "."; });
+            resolve(*window);
+            if (name == u"redo")
+                undo->trigger();
+            if (!action->isEnabled())
+                continue;
+            ++tried;
+            double turn = 0;
+            {
+                const benchmarks::LongestTurn turns;
+                action->trigger();
+                rest();
+                turn = turns.longest();
+            }
+            longest = std::max(longest, turn);
+            constexpr double worthSaying = 50;
+            if (turn > worthSaying)
+                slow << QStringLiteral("%1 %2").arg(name).arg(turn, 0, 'f', 0);
+            if (name == u"maximiseFigure")
+                action->trigger();
+            while (undo->isEnabled())
+                undo->trigger();
+            resolve(*window);
+        }
+        state.counters["actions"] = tried;
+        state.counters["longest_turn_ms"] = longest;
+        state.SetLabel(slow.join(QStringLiteral(", ")).toStdString());
+        delete window;
+    }
+}
+BENCHMARK(actionTurns)->Arg(1)->Arg(100)->Arg(1000)->Arg(0)->Iterations(1)->Unit(benchmark::kSecond);
 
 /// Goal: 100 ms from the document to the finished figure.
 void showExample(benchmark::State &state) {
