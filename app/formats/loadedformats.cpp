@@ -54,8 +54,8 @@ PdfParts pdfParts(const char *bytes, std::size_t size, std::int64_t most, bool &
     return formats(Error::Kind::unreadable).pdfParts(bytes, size, most, exceeded);
 }
 
-QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
-    return formats(Error::Kind::unwritable).finishPdf(pdf, properties);
+bool finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to) {
+    return formats(Error::Kind::unwritable).finishPdf(drawn, properties, to);
 }
 
 std::unique_ptr<PdfPages> openPages(const QByteArray &pdf) {

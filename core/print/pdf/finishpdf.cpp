@@ -2,19 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/finishpdf.h"
 
+#include "print/pdf/pdffile.h"
+#include "print/pdf/structuretree.h"
 #include "print/pdf/tagpdf.h"
 
 #include <QFile>
 #include <QStringList>
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <qpdf/Buffer.hh>
+#include <qpdf/InputSource.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFEFStreamObjectHelper.hh>
 #include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
 #include <qpdf/QPDFFileSpecObjectHelper.hh>
 #include <qpdf/QPDFObjectHandle.hh>
-#include <qpdf/QPDFWriter.hh>
+#include <set>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace palmer {
 
@@ -179,12 +186,82 @@ void addBookmarks(QPDF &document, const std::vector<Handle> &pages,
     document.getRoot().replaceKey("/Outlines", outline);
 }
 
+/// Lets libqpdf read what Qt wrote without having it in memory.
+class DeviceSource : public InputSource {
+public:
+    explicit DeviceSource(QIODevice &device)
+        : m_device(device) {}
+
+    qpdf_offset_t findAndSkipNextEOL() override {
+        const auto isEnd = [](char c) { return c == '\r' || c == '\n'; };
+        char c = 0;
+        while (m_device.getChar(&c) && !isEnd(c)) {
+        }
+        const qpdf_offset_t end = m_device.pos() - (isEnd(c) ? 1 : 0);
+        while (m_device.getChar(&c)) {
+            if (!isEnd(c)) {
+                m_device.ungetChar(c);
+                break;
+            }
+        }
+        return end;
+    }
+    [[nodiscard]] std::string const &getName() const override { return m_name; }
+    qpdf_offset_t tell() override { return m_device.pos(); }
+    void seek(qpdf_offset_t offset, int whence) override {
+        m_device.seek(offset + (whence == SEEK_CUR   ? m_device.pos()
+                                : whence == SEEK_END ? m_device.size()
+                                                     : 0));
+    }
+    void rewind() override { m_device.seek(0); }
+    size_t read(char *bytes, size_t length) override {
+        last_offset = m_device.pos();
+        return static_cast<size_t>(std::max(m_device.read(bytes, static_cast<qint64>(length)), qint64(0)));
+    }
+    void unreadCh(char) override { m_device.seek(m_device.pos() - 1); }
+
+private:
+    QIODevice &m_device;
+    std::string m_name = "report";
+};
+
+/// Writes all that the document needs, but the objects `written`.
+void writeObjects(PdfFile &file, QPDF &document, std::set<QPDFObjGen> written) {
+    std::vector<Handle> found{document.getRoot(), document.getTrailer().getKey("/Info")};
+    while (!found.empty()) {
+        Handle object = found.back();
+        found.pop_back();
+        if (object.isIndirect() && !written.insert(object.getObjGen()).second)
+            continue;
+        Handle entries = object.isStream() ? object.getDict().shallowCopy() : object;
+        if (object.isStream()) {
+            entries.removeKey("/Length");
+            const auto data = object.getRawStreamData();
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of libqpdf
+            const std::string_view bytes(reinterpret_cast<const char *>(data->getBuffer()), data->getSize());
+            std::string text = entries.unparse();
+            text = text.substr(2, text.size() - 4);                                   // between << and >>
+            const bool isOpen = entries.getKey("/Type").isNameAndEquals("/Metadata"); // for any program
+            isOpen || entries.hasKey("/Filter") ? file.addStream(object.getObjectID(), text, bytes)
+                                                : file.addPacked(object.getObjectID(), text, bytes);
+        } else if (object.isIndirect()) {
+            file.add(object.getObjectID(), object.unparseResolved());
+        }
+        if (entries.isArray()) {
+            std::ranges::copy(entries.getArrayAsVector(), std::back_inserter(found));
+        } else if (entries.isDictionary()) {
+            for (const auto &[key, value] : entries.getDictAsMap())
+                found.push_back(value);
+        }
+    }
+}
+
 } // namespace
 
-QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
+bool finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to) {
     QPDF document;
     document.setSuppressWarnings(true);
-    document.processMemoryFile("report", pdf.constData(), static_cast<std::size_t>(pdf.size()));
+    document.processInputSource(std::make_shared<DeviceSource>(drawn));
 
     Handle root = document.getRoot();
     root.replaceKey("/Lang", text(properties.metadata.language));
@@ -193,24 +270,33 @@ QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
     setColourProfile(document);
     setMetadata(document, properties.xmp);
     setInformation(document, properties.metadata);
-    document.getTrailer().removeKey("/ID"); // it is random
     root.removeKey("/Names");
     attach(document, properties.attachments, properties.metadata.date);
     const std::vector<Handle> &pages = document.getAllPages();
     const std::vector<Handle> annotations = addLinks(document, pages, properties.links);
-    if (!properties.structure.empty())
-        tagPdf(document, properties, annotations);
+    for (std::size_t i = 0; i < annotations.size(); ++i)
+        Handle(annotations[i])
+            .replaceKey("/StructParent", Handle::newInteger(static_cast<long long>(pages.size() + i)));
     addBookmarks(document, pages, properties.bookmarks);
+    const Handle tree = document.makeIndirectObject(Handle::newDictionary());
+    root.replaceKey("/StructTreeRoot", tree);
+    root.replaceKey("/MarkInfo", Handle::parse("<< /Marked true >>"));
 
-    QPDFWriter writer(document);
-    writer.setOutputMemory();
-    writer.setDeterministicID(true);
-    writer.setObjectStreamMode(qpdf_o_generate);
-    writer.setMinimumPDFVersion("1.7");
-    writer.write();
-    const auto buffer = writer.getBufferSharedPointer();
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of libqpdf
-    return {reinterpret_cast<const char *>(buffer->getBuffer()), static_cast<qsizetype>(buffer->getSize())};
+    PdfFile file(to, properties.pack, tree.getObjectID() + 1);
+    PageTagger tagger(properties.structure);
+    MarkedContents contents(pages.size());
+    std::set<QPDFObjGen> written{tree.getObjGen()};
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        Handle page = pages[i];
+        page.replaceKey("/StructParents", Handle::newInteger(static_cast<long long>(i)));
+        page.replaceKey("/Tabs", Handle::newName("/S"));
+        const Handle content = page.getKey("/Contents");
+        file.addPacked(content.getObjectID(), {}, tagger.taggedContent(page, contents[i]));
+        written.insert(content.getObjGen());
+    }
+    writeObjects(file, document, std::move(written));
+    writeStructure(file, tree.getObjectID(), properties, contents, pages, annotations);
+    return file.end("/Root " + root.unparse() + " /Info " + document.getTrailer().getKey("/Info").unparse());
 }
 
 } // namespace palmer

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "print/pdf/tags.h"
+#include "print/pdf/structure.h"
 #include "proof/reportmetadata.h"
 
 #include <QByteArray>
+#include <QIODevice>
 #include <QRectF>
 #include <QString>
 #include <future>
@@ -48,8 +49,8 @@ struct PdfLink {
     int page = 0;
     QRectF area; ///< points from the top left corner
     PdfPlace target;
-    QString title;           ///< of the target
-    std::size_t element = 0; ///< of `PdfProperties::structure`
+    QString title;                ///< of the target
+    Structure::Index element = 0; ///< of `PdfProperties::structure`
 };
 
 /// Metadata and embedded content of a PDF.
@@ -59,15 +60,16 @@ struct PdfProperties {
     std::vector<PdfAttachment> attachments;
     std::vector<PdfBookmark> bookmarks;
     std::vector<PdfLink> links;
-    std::vector<StructureElement> structure;
+    Structure structure; ///< of what was drawn
     QByteArray (*pack)(const QByteArray &) =
         palmer::pack; ///< the program's: libqpdf is loaded without libdeflate
 };
 
-/// Removes everything from a PDF that depends on the clock or machine, and adds the properties: the same
-/// pages and properties give the same bytes. With an output intent in `pdf` and the structure of what was
-/// drawn the result is a PDF/A-3a and a PDF/UA-1. Throws
-/// std::runtime_error if `pdf` is no PDF.
-[[nodiscard]] QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties);
+/// Copies a PDF that Qt wrote without anything that depends on the clock or machine, and adds the properties:
+/// the same pages and properties give the same bytes. With an output intent in `drawn` the result is a
+/// PDF/A-3a and a PDF/UA-1. Page after page and object after object are read and written, so that little
+/// memory is needed. Returns false if `to` does not accept all bytes. Throws std::runtime_error if `drawn`,
+/// which can be read anywhere, is no PDF.
+[[nodiscard]] bool finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to);
 
 } // namespace palmer

@@ -5,38 +5,35 @@
 #include "figures/figuretexts.h"
 
 #include <QPainter>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
 namespace palmer {
 
 struct Tagging::Record {
+    using Index = Structure::Index;
+
+    /// The element of what was drawn, and when last.
+    struct Known {
+        Index element = 0;
+        std::size_t page = 0;
+    };
+
     Language language;
-    std::vector<StructureElement> elements = std::vector<StructureElement>(1);
-    std::vector<std::size_t> links = {};
-    std::vector<std::size_t> open{0}; ///< the current element and those around it
-    std::unordered_map<const void *, std::size_t> known = {};
-    std::set<const void *> drawn = {};
-    std::size_t contents = 0;
-    std::size_t marked = 0; ///< the content that text would belong to now; 0: none
-    int artifacts = 0;      ///< tags without a type around
+    Structure structure = {};
+    std::vector<Index> links = {};
+    std::vector<Index> open{0}; ///< the current element and those around it
+    std::size_t page = 0;
+    std::unordered_map<const void *, Known> known = {};
+    std::unordered_map<const void *, std::size_t> drawn = {}; ///< on which page last
+    Index marked = 0;  ///< the content that text would belong to now; 0: none
+    int artifacts = 0; ///< tags without a type around
     bool inFigure = false;
     bool linkNext = false;
 
-    std::size_t add(StructureElement element) {
-        const std::size_t index = elements.size();
-        element.parent = open.back();
-        elements.push_back(std::move(element));
-        elements[open.back()].kids.push_back({false, index});
-        return index;
-    }
-    std::size_t addContent() {
-        elements[open.back()].kids.push_back({true, ++contents});
-        return contents;
-    }
+    Index addContent() { return structure.addContent(open.back()); }
     void addLink() {
-        links.push_back(add({"/Link"}));
+        links.push_back(structure.addElement(open.back(), {"/Link"}));
         linkNext = false;
     }
 };
@@ -47,7 +44,7 @@ thread_local Tagging::Record
     *current = // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): of a thread
     nullptr;
 
-void drawSign(QPainter &painter, std::size_t content, MarkedAs as) {
+void drawSign(QPainter &painter, Structure::Index content, MarkedAs as) {
     const QPen pen = painter.pen();
     const QBrush brush = painter.brush();
     painter.setPen(Qt::NoPen);
@@ -68,15 +65,20 @@ Tagging::~Tagging() {
     current = nullptr;
 }
 
+/// Forgets what the last page did not go on with: a long report has a million of parts, and what is drawn
+/// next may stand where one of them was.
 void Tagging::beginPage() { // NOLINT(readability-make-member-function-const): changes the record
     m_record->marked = 0;
+    const std::size_t last = m_record->page++;
+    std::erase_if(m_record->known, [&](const auto &each) { return each.second.page < last; });
+    std::erase_if(m_record->drawn, [&](const auto &each) { return each.second < last; });
 }
 
-std::vector<StructureElement> Tagging::takeElements() {
-    return std::exchange(m_record->elements, {});
+Structure Tagging::takeStructure() {
+    return std::exchange(m_record->structure, {});
 }
 
-std::vector<std::size_t> Tagging::links() const {
+std::vector<Structure::Index> Tagging::links() const {
     return m_record->links;
 }
 
@@ -89,7 +91,7 @@ Tag::Tag(const char *type, const void *of) {
 }
 
 Tag::Tag(const CellTag &cell, const void *of) {
-    open({cell.scope ? "/TH" : "/TD", 0, {}, {}, {}, cell.columns, cell.rows, cell.scope}, of);
+    open({cell.scope ? "/TH" : "/TD", cell.columns, cell.rows, cell.scope}, of);
 }
 
 Tag::Tag(QPainter &painter, const QRectF &area, const QString &alternative) {
@@ -100,27 +102,30 @@ Tag::Tag(QPainter &painter, const QRectF &area, const QString &alternative) {
 Tag::Tag(QPainter &painter, const QRectF &area, const Figure &figure)
     : Tag(painter, area, current ? figureSentence(figure, current->language) : QString()) {}
 
-void Tag::open(StructureElement element, const void *of) {
+void Tag::open(const StructureKind &kind, const void *of) {
     if (!current || current->inFigure || current->artifacts > 0)
         return;
     const auto known = of ? current->known.find(of) : current->known.end();
-    const std::size_t index =
-        known != current->known.end() ? known->second : current->add(std::move(element));
+    const Structure::Index element = known != current->known.end()
+                                         ? known->second.element
+                                         : current->structure.addElement(current->open.back(), kind);
     if (of)
-        current->known.emplace(of, index);
-    current->open.push_back(index);
+        current->known[of] = {element, current->page};
+    current->open.push_back(element);
     m_opened = true;
 }
 
 void Tag::beginFigure(const QRectF &area, const QString &alternative) {
-    constexpr double pointsPerInch = 72;
-    const double points = pointsPerInch / m_figure->device()->logicalDpiX();
-    const QRectF dots = m_figure->combinedTransform().mapRect(area);
-    open({"/Figure", 0, {}, alternative, QRectF(dots.topLeft() * points, dots.size() * points)}, nullptr);
-    if (!m_opened) {
+    if (!current || current->inFigure || current->artifacts > 0) {
         m_figure = nullptr;
         return;
     }
+    constexpr double pointsPerInch = 72;
+    const double points = pointsPerInch / m_figure->device()->logicalDpiX();
+    const QRectF dots = m_figure->combinedTransform().mapRect(area);
+    current->open.push_back(current->structure.addFigure(
+        current->open.back(), {alternative, QRectF(dots.topLeft() * points, dots.size() * points)}));
+    m_opened = true;
     current->inFigure = true;
     drawSign(*m_figure, current->addContent(), MarkedAs::figure);
 }
@@ -138,7 +143,7 @@ Tag::~Tag() {
 }
 
 bool Tag::isFirst(const void *of) {
-    return !current || current->drawn.insert(of).second;
+    return !current || current->drawn.insert_or_assign(of, current->page).second;
 }
 
 LinkTag::LinkTag(bool linked)

@@ -4,35 +4,16 @@
 
 #include "figures/figure.h"
 #include "language/language.h"
+#include "print/pdf/structure.h"
 
 #include <QRectF>
 #include <QString>
-#include <cstddef>
 #include <memory>
 #include <vector>
 
 class QPainter;
 
 namespace palmer {
-
-/// An element of the structure of a PDF (ISO 32000-1, 14.7): what a part of its pages is to readers who do
-/// not see them. Element 0 is the document; parents precede their children.
-struct StructureElement {
-    /// A child, or content marked on a page.
-    struct Kid {
-        bool isContent = false;
-        std::size_t index = 0; ///< of the element, or number of the content, from 1
-    };
-
-    const char *type = "/Document"; ///< "/P", "/H1", "/Table"
-    std::size_t parent = 0;
-    std::vector<Kid> kids = {};
-    QString alternative = {};    ///< what a figure shows, in words
-    QRectF area = {};            ///< of a figure, points from the top left corner of its page
-    int columns = 1;             ///< that a cell spans
-    int rows = 1;                ///< likewise
-    const char *scope = nullptr; ///< of a heading cell: "/Column", "/Row"
-};
 
 /// The structure of what this thread draws during its life.
 class Tagging {
@@ -43,10 +24,10 @@ public:
     Tagging &operator=(const Tagging &) = delete;
 
     void beginPage();
-    /// Gives up the elements: called once, when all is drawn.
-    [[nodiscard]] std::vector<StructureElement> takeElements();
+    /// Gives up the structure: called once, when all is drawn.
+    [[nodiscard]] Structure takeStructure();
     /// The elements of the linked areas, in the order in which they were drawn.
-    [[nodiscard]] std::vector<std::size_t> links() const;
+    [[nodiscard]] std::vector<Structure::Index> links() const;
 
     struct Record;
 
@@ -65,8 +46,8 @@ struct CellTag {
 /// does nothing. What belongs to no element is an artifact of the page: rules, running heads, footers.
 class Tag {
 public:
-    /// `of`: where the same is given again, the element is continued; null: always a new element. Without a
-    /// type all within is an artifact.
+    /// `of`: where the same is given again on this page or the next, the element is continued; null: always a
+    /// new element. Without a type all within is an artifact.
     explicit Tag(const char *type, const void *of = nullptr);
     Tag(const CellTag &cell, const void *of);
     /// A figure, all of which is one content; `alternative` in words, or the sentence of a figure.
@@ -76,11 +57,12 @@ public:
     Tag(const Tag &) = delete;
     Tag &operator=(const Tag &) = delete;
 
-    /// True where this is drawn for the first time: repeated heads of tables are artifacts.
+    /// True where this was drawn neither on this page nor the one before: repeated heads of tables are
+    /// artifacts.
     [[nodiscard]] static bool isFirst(const void *of);
 
 private:
-    void open(StructureElement element, const void *of);
+    void open(const StructureKind &kind, const void *of);
     void beginFigure(const QRectF &area, const QString &alternative);
 
     QPainter *m_figure = nullptr; ///< of a figure that marks its content
@@ -104,7 +86,7 @@ private:
 void markContent(QPainter &painter);
 
 // How contents are marked in what Qt writes: a rectangle at this x that finishPdf() takes out again; its y is
-// the number of the content, 0 for an artifact, its width what begins.
+// the entry of the content, 0 for an artifact, its width what begins.
 inline constexpr int markX = -99999;
 enum class MarkedAs { text = 1, figure, endOfFigure };
 

@@ -5,14 +5,17 @@
 #include "document/documenterror.h"
 #include "export/dcc.h"
 #include "print/pdf/pages.h"
+#include "print/pdf/tags.h"
 #include "report/attachedfile.h"
 
 #include <QBuffer>
 #include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QTemporaryFile>
 #include <algorithm>
 #include <map>
+#include <memory>
 
 namespace palmer {
 
@@ -20,13 +23,31 @@ namespace {
 
 constexpr int dotsPerInch = 1200;
 
+/// Where Qt draws so many pages: a few into memory, more into a file that nobody else can read and that is
+/// gone afterwards, for they would take more memory than all the rest.
+std::unique_ptr<QIODevice> placeFor(std::size_t pages) {
+    constexpr std::size_t few = 64;
+    if (pages > few) {
+        auto file = std::make_unique<QTemporaryFile>();
+        if (file->open())
+            return file;
+    }
+    auto memory = std::make_unique<QBuffer>();
+    memory->open(QIODevice::ReadWrite);
+    return memory;
+}
+
+[[noreturn]] void throwUnwritable() {
+    throw Error(Error::Kind::unwritable,
+                {REPORT_TEXT("report",
+                             "the file could not be saved, for want of permission or space; what was "
+                             "there before is unchanged: save it under another name or in another folder")});
+}
+
 /// Also tells `tagging` what is drawn. What has been drawn is given up: of a long report, pages laid out take
 /// more memory than all the rest.
-QByteArray pagesAsPdf(Pages &pages, Tagging &tagging) {
-    QByteArray pdf;
-    QBuffer buffer(&pdf);
-    buffer.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&buffer);
+void drawPages(Pages &pages, Tagging &tagging, QIODevice &to) {
+    QPdfWriter writer(&to);
     writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b); // output intent, no transparency
     writer.setResolution(dotsPerInch);
     writer.setPageLayout(QPageLayout(
@@ -46,7 +67,8 @@ QByteArray pagesAsPdf(Pages &pages, Tagging &tagging) {
         page.parts = {};
     }
     painter.end();
-    return pdf;
+    if (const auto *file = qobject_cast<QFileDevice *>(&to); file && file->error() != QFileDevice::NoError)
+        throwUnwritable();
 }
 
 /// A property on one line, without control characters.
@@ -62,7 +84,8 @@ PdfPlace placeOf(std::size_t page, double y) {
 
 /// Adds the bookmarks of all pages, and the links to those with an anchor.
 /// `elements`: of the links of all pages, in their order.
-void addNavigation(PdfProperties &properties, const Pages &pages, const std::vector<std::size_t> &elements) {
+void addNavigation(PdfProperties &properties, const Pages &pages,
+                   const std::vector<Structure::Index> &elements) {
     std::map<QString, std::pair<PdfPlace, QString>> anchors;
     for (std::size_t i = 0; i < pages.size(); ++i) {
         for (const Bookmark &bookmark : pages[i].bookmarks) {
@@ -74,7 +97,7 @@ void addNavigation(PdfProperties &properties, const Pages &pages, const std::vec
     auto element = elements.begin();
     for (std::size_t i = 0; i < pages.size(); ++i) {
         for (const PageLink &link : pages[i].links) {
-            const std::size_t own = *element++;
+            const Structure::Index own = *element++;
             if (const auto target = anchors.find(link.anchor); target != anchors.end())
                 properties.links.push_back(
                     {static_cast<int>(i), link.area, target->second.first, target->second.second, own});
@@ -116,16 +139,13 @@ void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAtta
     properties.xmp = xmpPacket(properties.metadata);
     properties.attachments = attachments;
     Tagging tagging(Language::fromName(report.language).value_or(Language(Language::Id::english)));
-    const QByteArray drawn = pagesAsPdf(pages, tagging);
-    properties.structure = tagging.takeElements();
+    const std::unique_ptr<QIODevice> drawn = placeFor(pages.size());
+    drawPages(pages, tagging, *drawn);
+    properties.structure = tagging.takeStructure();
     addNavigation(properties, pages, tagging.links());
-    const QByteArray pdf = finishPdf(drawn, properties);
-    if (device.write(pdf) != pdf.size())
-        throw Error(
-            Error::Kind::unwritable,
-            {REPORT_TEXT("report",
-                         "the file could not be saved, for want of permission or space; what was "
-                         "there before is unchanged: save it under another name or in another folder")});
+    drawn->seek(0);
+    if (!finishPdf(*drawn, properties, device))
+        throwUnwritable();
 }
 
 } // namespace palmer
