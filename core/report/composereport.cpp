@@ -9,8 +9,12 @@
 #include "report/blocks/pagetext.h"
 #include "report/parts/parts.h"
 
+#include <QHash>
 #include <array>
 #include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
 
 namespace palmer {
 
@@ -147,34 +151,32 @@ bool beginsSection(const Block &block) {
     return heading && heading->level <= 2;
 }
 
-/// Sections of earlier tests, for finding repetitions.
+/// The sections of earlier tests, for finding repetitions. They stay where they are in the report and are
+/// found by what they say: a thousand tests have ten thousand.
 class PrintedSections {
 public:
     /// Replaces sections that are identical in an earlier test by a line that refers to it.
     void leaveOutRepeated(std::vector<Block> &blocks, std::size_t from, const TestPart &part) {
-        std::vector<Block> result;
-        std::map<int, QStringList> repeated; // by test number
-        std::size_t place = 0;               // of that line
+        std::vector<std::pair<Section, Section *>> kept; // and what is remembered of it
+        std::map<int, QStringList> repeated;             // by test number
+        std::size_t place = from;                        // of that line
+        std::size_t size = from;                         // of what is kept
         for (std::size_t i = from; i < blocks.size();) {
             std::size_t end = i + 1;
             while (end < blocks.size() && !beginsSection(blocks[end]))
                 ++end;
             const auto *heading = std::get_if<Heading>(&blocks[i]);
-            const auto at = [&](std::size_t index) {
-                return blocks.begin() + static_cast<std::ptrdiff_t>(index);
-            };
             // The content of a level 1 heading is in the sections after it, which may differ.
             const bool known = heading && heading->level > 1 && heading->anchor.isEmpty() && end > i + 1;
-            const auto same = std::ranges::find_if(m_sections, [&](const Section &section) {
-                return known && std::equal(section.blocks.begin(), section.blocks.end(), at(i), at(end));
-            });
-            if (same != m_sections.end()) {
+            const std::size_t words = known ? wordsOf(blocks, i, end) : 0;
+            const Section section{part.number, i, end};
+            const Section *same = known ? sameAs(blocks, section, words) : nullptr;
+            if (same) {
                 repeated[same->test] << heading->text;
-                place = result.size();
+                place = size;
             } else {
-                if (known)
-                    m_sections.push_back({part.number, {at(i), at(end)}});
-                result.insert(result.end(), at(i), at(end));
+                kept.emplace_back(section, known ? &m_sections.emplace(words, section)->second : nullptr);
+                size += end - i;
             }
             i = end;
         }
@@ -183,9 +185,18 @@ public:
             lines << part.write.say(
                 REPORT_TEXT("report", "As for test %1: %2."),
                 {std::to_string(test), headings.join(part.write.semicolon()).toStdString()});
-        if (!lines.isEmpty())
-            result.insert(result.begin() + static_cast<std::ptrdiff_t>(place),
-                          Paragraph{lines.join(u'\n'), TextSize::small});
+        if (lines.isEmpty())
+            return;
+        std::vector<Block> result;
+        for (const auto &[section, remembered] : kept) {
+            const std::size_t begin = from + result.size() + (from + result.size() >= place ? 1 : 0);
+            if (remembered)
+                *remembered = {section.test, begin, begin + section.end - section.begin};
+            result.insert(result.end(), std::make_move_iterator(at(blocks, section.begin)),
+                          std::make_move_iterator(at(blocks, section.end)));
+        }
+        result.insert(result.begin() + static_cast<std::ptrdiff_t>(place - from),
+                      Paragraph{lines.join(u'\n'), TextSize::small});
         blocks.resize(from);
         blocks.insert(blocks.end(), std::make_move_iterator(result.begin()),
                       std::make_move_iterator(result.end()));
@@ -194,9 +205,36 @@ public:
 private:
     struct Section {
         int test = 1;
-        std::vector<Block> blocks;
+        std::size_t begin = 0; ///< in the report
+        std::size_t end = 0;
     };
-    std::vector<Section> m_sections;
+
+    static std::vector<Block>::iterator at(std::vector<Block> &blocks, std::size_t index) {
+        return blocks.begin() + static_cast<std::ptrdiff_t>(index);
+    }
+
+    static std::size_t wordsOf(const std::vector<Block> &blocks, std::size_t begin, std::size_t end) {
+        std::size_t words = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            words = qHash(pageText(blocks[i]), words);
+        return words;
+    }
+
+    /// The first section that is equal; null if there is none.
+    const Section *sameAs(std::vector<Block> &blocks, const Section &section, std::size_t words) const {
+        const Section *first = nullptr;
+        const auto [from, to] = m_sections.equal_range(words);
+        for (auto each = from; each != to; ++each) {
+            const Section &other = each->second;
+            if ((!first || other.begin < first->begin) &&
+                std::equal(at(blocks, other.begin), at(blocks, other.end), at(blocks, section.begin),
+                           at(blocks, section.end)))
+                first = &other;
+        }
+        return first;
+    }
+
+    std::unordered_multimap<std::size_t, Section> m_sections; ///< by their words
 };
 
 /// Adds the certificates of several tests: the summary, one page per test with its results, and the common
@@ -266,7 +304,11 @@ QString foreignCharacters(const Report &report) {
     constexpr std::size_t most = 20;
     constexpr int hexadecimal = 16;
     constexpr int digits = 4;
-    const std::vector<char32_t> foreign = notOnPaper(pageText(report));
+    std::set<char32_t> foreign;
+    for (const Block &block : report.blocks) {
+        const std::vector<char32_t> more = notOnPaper(pageText(block));
+        foreign.insert(more.begin(), more.end());
+    }
     QStringList names;
     for (const char32_t character : foreign) {
         if (names.size() == most) {
