@@ -163,6 +163,9 @@ void markContent(QPainter &painter) {
     const bool isArtifact = current->artifacts > 0 || current->open.size() == 1;
     if (isArtifact && current->marked == 0)
         return;
+    if (!isArtifact && !current->linkNext && current->marked != 0 &&
+        current->structure.parent(current->marked) == current->open.back())
+        return; // goes on
     if (!isArtifact && current->linkNext) {
         current->addLink();
         current->open.push_back(current->links.back());
