@@ -179,12 +179,12 @@ private:
             QStringLiteral("Palmer " PALMER_VERSION), m_selfTest.get(), originals, testFile, {}, hasAnnex};
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
-            const Report report = composeReport(evaluated, Language::fromName(name).value(), stated);
+            Report report = composeReport(evaluated, Language::fromName(name).value(), stated);
             if (results.valid()) // once for all languages
                 std::ranges::copy(results.get(), std::back_inserter(attachments));
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
-            writePdf(report, pdf, attachments);
+            writePdf(std::move(report), pdf, attachments);
             reports.push_back({pdf.data(), targetOf(name)});
         }
         try {

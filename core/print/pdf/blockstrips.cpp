@@ -706,22 +706,25 @@ bool isTitle(const Block &block) {
 
 /// True if a paragraph between a heading and block i belongs to that block: a table, a figure or a part of
 /// the section.
-bool introduces(const MeasuredBlocks &blocks, std::size_t i) {
-    const Block &block = blocks[i].block;
+template <class AnyStrip>
+bool introduces(const std::vector<BlockWith<AnyStrip>> &blocks, std::size_t i) {
+    const Block &block = *blocks[i].block;
     const auto *heading = std::get_if<Heading>(&block);
-    return i > 1 && std::holds_alternative<Paragraph>(blocks[i - 1].block) &&
-           std::holds_alternative<Heading>(blocks[i - 2].block) &&
+    return i > 1 && std::holds_alternative<Paragraph>(*blocks[i - 1].block) &&
+           std::holds_alternative<Heading>(*blocks[i - 2].block) &&
            (std::holds_alternative<Table>(block) || std::holds_alternative<FigureBlock>(block) ||
             (heading && heading->level > 2));
 }
 
 /// Sets the properties of a heading (block i) that depend on the next block.
-void stateOfHeading(Strip &strip, const MeasuredBlocks &blocks, std::size_t i, bool titled) {
-    const auto *heading = std::get_if<Heading>(&blocks[i].block);
+template <class AnyStrip>
+void stateOfHeading(AnyStrip &strip, const std::vector<BlockWith<AnyStrip>> &blocks, std::size_t i,
+                    bool titled) {
+    const auto *heading = std::get_if<Heading>(&*blocks[i].block);
     if (!heading || i + 1 == blocks.size())
         return;
-    const Block &next = blocks[i + 1].block;
-    strip.title = isTitle(blocks[i].block);
+    const Block &next = *blocks[i + 1].block;
+    strip.title = isTitle(*blocks[i].block);
     strip.filler = titled && std::holds_alternative<FindingsBlock>(next);
     if (heading->level == 2 && (beginsSection(next) || isMark(next)))
         strip.withNext = false; // the section is only the heading's note
@@ -729,10 +732,10 @@ void stateOfHeading(Strip &strip, const MeasuredBlocks &blocks, std::size_t i, b
 
 /// Keeps the section of the signatures together, of a long one its last strips, so that signatures are never
 /// alone on a page.
-void takeAlong(Strips &above) {
+void takeAlong(auto &above) {
     constexpr std::size_t mostOfSection = 12;
     constexpr std::size_t most = 3;
-    const auto stays = [](const Strip &strip) { return !strip.pageBreak && !strip.running; };
+    const auto stays = [](const StripPlace &strip) { return !strip.pageBreak && !strip.running; };
     std::size_t first = above.size();
     while (first > 0 && stays(above[first - 1]) && (first == above.size() || !above[first].section))
         --first;
@@ -751,8 +754,9 @@ Strips partStrips(const std::vector<Part> &parts, double width, double tallest) 
 
 class StripMaker {
 public:
-    StripMaker(double width, double tallest, bool narrow)
-        : m_width(width)
+    StripMaker(std::shared_ptr<const Block> owner, double width, double tallest, bool narrow)
+        : m_owner(std::move(owner))
+        , m_width(width)
         , m_tallest(tallest)
         , m_narrow(narrow) {}
 
@@ -771,7 +775,9 @@ public:
         return tagged("/P", lineStrips(TextBlock(paragraph.text, style, m_width)));
     }
     Strips operator()(const KeyValues &values) const { return keyValueStrips(values, m_width); }
-    Strips operator()(const Table &table) const { return tagged("/Table", tableStrips(table, m_width)); }
+    Strips operator()(const Table &table) const {
+        return tagged("/Table", tableStrips(std::shared_ptr<const Table>(m_owner, &table), m_width));
+    }
     Strips operator()(const SideBySide &columns) const {
         const double leftWidth = columns.leftWidth * mm;
         const double rightAt = leftWidth + columns.gap * mm;
@@ -830,7 +836,7 @@ public:
     }
     Strips operator()(const RunningHead &running) const {
         Strip result;
-        result.running = running;
+        result.running = std::make_shared<const RunningHead>(running);
         result.narrow = m_narrow;
         return {result};
     }
@@ -841,6 +847,7 @@ public:
     }
 
 private:
+    std::shared_ptr<const Block> m_owner;
     double m_width;
     double m_tallest;
     bool m_narrow;
@@ -904,12 +911,31 @@ bool isMark(const Block &block) {
     return std::holds_alternative<RunningHead>(block) || std::holds_alternative<PageBreak>(block);
 }
 
-Strips measured(const Block &block, double width, double tallest, bool narrow) {
-    Strips result = std::visit(StripMaker(width, tallest, narrow), block);
-    for (Strip &strip : result) { // cheap to copy
-        if (strip.draw)
-            strip.draw = [draw = std::make_shared<const decltype(strip.draw)>(std::move(strip.draw))](
-                             QPainter &painter, QPointF at) { (*draw)(painter, at); };
+Strips measured(const std::shared_ptr<const Block> &block, double width, double tallest, bool narrow) {
+    Strips result = std::visit(StripMaker(block, width, tallest, narrow), *block);
+    int index = 0;
+    for (Strip &strip : result) {
+        strip.index = index++;
+        strip.drawn = strip.draw != nullptr;
+        strip.lowers = strip.drawOf != nullptr;
+    }
+    return result;
+}
+
+/// The head of a table is the strip before its first row.
+StripPlaces placesOf(const Strips &strips) {
+    StripPlaces result;
+    result.reserve(strips.size());
+    const StripPlace *known = nullptr;
+    std::shared_ptr<const StripPlace> head;
+    for (const Strip &strip : strips) {
+        if (strip.head && strip.head.get() != known) {
+            known = strip.head.get();
+            head = std::make_shared<const StripPlace>(result.back());
+        }
+        result.push_back(strip);
+        if (strip.head)
+            result.back().head = head;
     }
     return result;
 }
@@ -917,20 +943,20 @@ Strips measured(const Block &block, double width, double tallest, bool narrow) {
 namespace {
 
 /// A head needs its own page; other parts may follow results that were moved to this page.
-bool isSoftBreak(const MeasuredBlocks &blocks, std::size_t pageBreak) {
+template <class AnyStrip>
+bool isSoftBreak(const std::vector<BlockWith<AnyStrip>> &blocks, std::size_t pageBreak) {
     const std::size_t next = pageBreak + 1;
-    const auto *heading = next < blocks.size() ? std::get_if<Heading>(&blocks[next].block) : nullptr;
+    const auto *heading = next < blocks.size() ? std::get_if<Heading>(&*blocks[next].block) : nullptr;
     return heading && heading->level == 1;
 }
 
-} // namespace
-
-Strips joined(const MeasuredBlocks &blocks) {
-    Strips result;
+template <class AnyStrip>
+std::vector<AnyStrip> withGaps(const std::vector<BlockWith<AnyStrip>> &blocks) {
+    std::vector<AnyStrip> result;
     const Block *above = nullptr;
     bool titled = false; // below the title of a test among several
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        const Block &block = blocks[i].block;
+        const Block &block = *blocks[i].block;
         if (blocks[i].strips.empty())
             continue;
         if (std::holds_alternative<Signatures>(block))
@@ -939,7 +965,9 @@ Strips joined(const MeasuredBlocks &blocks) {
             result.back().withNext = true;
         const std::size_t first = result.size();
         result.insert(result.end(), blocks[i].strips.begin(), blocks[i].strips.end());
-        Strip &begins = result[first];
+        for (std::size_t k = first; k < result.size(); ++k)
+            result[k].owner = static_cast<int>(i);
+        AnyStrip &begins = result[first];
         if (!isMark(block)) {
             begins.gap = above ? gapBetween(*above, block) : 0;
             begins.block = static_cast<int>(i);
@@ -958,11 +986,19 @@ Strips joined(const MeasuredBlocks &blocks) {
     return result;
 }
 
+} // namespace
+
+StripPlaces joined(const MeasuredBlocks &blocks) {
+    return withGaps(blocks);
+}
+
 Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest) {
-    MeasuredBlocks all;
-    for (const Block &block : blocks)
-        all.push_back({block, measured(block, width, tallest)});
-    return joined(all);
+    std::vector<BlockWith<Strip>> all;
+    for (const Block &block : blocks) {
+        const auto own = std::make_shared<Block>(block);
+        all.push_back({own, measured(own, width, tallest)});
+    }
+    return withGaps(all);
 }
 
 } // namespace palmer

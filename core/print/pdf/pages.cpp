@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <set>
 
@@ -53,20 +54,27 @@ TextBlock elided(const QString &text, double width) {
     return palmer::elided(text, runningStyle, width);
 }
 
-/// Strips of one page before they are positioned.
+/// StripPlaces of one page before they are positioned.
 struct PageStrips {
-    std::optional<RunningHead> running;
-    Strips strips;
+    std::shared_ptr<const RunningHead> running;
+    StripPlaces strips;
     bool narrow = false; ///< less below the running head
 
     [[nodiscard]] double top() const { return topMargin + (running ? runningHeadHeight(narrow) : 0); }
     [[nodiscard]] double used() const {
         double height = 0;
-        for (const Strip &strip : strips)
+        for (const StripPlace &strip : strips)
             height += strip.height + (&strip == &strips.front() ? 0 : strip.gap);
         return height;
     }
 };
+
+/// The head of the table that a strip goes on with.
+StripPlace repeatedHead(const StripPlace &strip) {
+    StripPlace head = *strip.head;
+    head.owner = strip.owner;
+    return head;
+}
 
 /// Distributes strips over pages.
 class Flow {
@@ -74,7 +82,7 @@ public:
     explicit Flow(double bottom)
         : m_bottom(bottom) {}
 
-    void fill(const Strips &strips) {
+    void fill(const StripPlaces &strips) {
         m_early.assign(strips.size(), false);
         for (std::size_t i = 0; i < strips.size();) {
             if (m_early[i]) {
@@ -102,10 +110,11 @@ public:
     }
 
     [[nodiscard]] const std::vector<PageStrips> &pages() const { return m_pages; }
+    [[nodiscard]] std::vector<PageStrips> takePages() { return std::move(m_pages); }
 
 private:
     /// End of the strips that must stay together with the one at `from`.
-    static std::size_t chainEnd(const Strips &strips, std::size_t from) {
+    static std::size_t chainEnd(const StripPlaces &strips, std::size_t from) {
         std::size_t end = from + 1;
         while (end < strips.size() && strips[end - 1].withNext && !strips[end].pageBreak &&
                !strips[end].running)
@@ -114,7 +123,7 @@ private:
     }
 
     /// End of the section that begins at `from`.
-    static std::size_t sectionEnd(const Strips &strips, std::size_t from) {
+    static std::size_t sectionEnd(const StripPlaces &strips, std::size_t from) {
         std::size_t end = from + 1;
         while (end < strips.size() && !strips[end].section && !strips[end].pageBreak && !strips[end].running)
             ++end;
@@ -123,7 +132,7 @@ private:
 
     /// If the section at `from` does not fit, a later section of the same test that may be moved forward
     /// fills the page, below the title if `from` is one. Returns the index to continue at.
-    std::size_t fillRest(const Strips &strips, std::size_t from) {
+    std::size_t fillRest(const StripPlaces &strips, std::size_t from) {
         if (m_page.strips.empty() || !strips[from].section ||
             needed(strips, from, chainEnd(strips, from)) <= room())
             return from;
@@ -155,7 +164,7 @@ private:
     [[nodiscard]] double room() const { return m_bottom - m_page.top() - m_page.used(); }
 
     /// Height of the strips if placed next, including a repeated table head.
-    [[nodiscard]] double needed(const Strips &strips, std::size_t from, std::size_t end) const {
+    [[nodiscard]] double needed(const StripPlaces &strips, std::size_t from, std::size_t end) const {
         double height = 0;
         const bool begins = m_page.strips.empty();
         if (begins && strips[from].head)
@@ -165,12 +174,12 @@ private:
         return height;
     }
 
-    void placeChain(const Strips &strips, std::size_t from, std::size_t end) {
+    void placeChain(const StripPlaces &strips, std::size_t from, std::size_t end) {
         double height = needed(strips, from, end);
         if (strips[from].section)
             height = std::max(height, strips[from].gap + sectionRoom);
         const auto at = [&](std::size_t i) { return strips.begin() + static_cast<std::ptrdiff_t>(i); };
-        const bool results = std::any_of(at(from), at(end), std::mem_fn(&Strip::whole));
+        const bool results = std::any_of(at(from), at(end), std::mem_fn(&StripPlace::whole));
         if (!m_page.strips.empty() && height > room() &&
             !(results && narrowGaps(strips, from, end, height - room())) &&
             !lowerFigure(strips, from, end, height - room()))
@@ -189,41 +198,39 @@ private:
 
     /// To keep the results on the first page of a test, shrinks the larger gaps by a common factor, and then
     /// the figure.
-    bool narrowGaps(const Strips &strips, std::size_t from, std::size_t end, double missing) {
+    bool narrowGaps(const StripPlaces &strips, std::size_t from, std::size_t end, double missing) {
         if (m_narrowing < 1 || m_page.running)
             return false;
         double gaps = 0;
-        const auto add = [&gaps](const Strip &strip) {
+        const auto add = [&gaps](const StripPlace &strip) {
             gaps += strip.gap >= smallestToNarrow ? strip.gap : 0;
         };
         std::for_each(m_page.strips.begin(), m_page.strips.end(), add);
         for (std::size_t i = from; i < end; ++i)
             add(strips[i]);
         double figures = 0;
-        for (const Strip &strip : m_page.strips)
-            figures += strip.drawOf ? strip.height - strip.least : 0;
+        for (const StripPlace &strip : m_page.strips)
+            figures += strip.lowers ? strip.height - strip.least : 0;
         const double ofGaps = std::min(missing + roundingRoom, (1 - narrowest) * gaps);
         double ofFigures = missing + roundingRoom - ofGaps;
         if (gaps <= 0 || ofFigures > figures)
             return false;
         m_narrowing = 1 - ofGaps / gaps;
-        for (Strip &strip : m_page.strips) {
+        for (StripPlace &strip : m_page.strips) {
             strip.gap = narrowed(strip.gap);
-            const double less = strip.drawOf ? std::min(ofFigures, strip.height - strip.least) : 0;
-            if (less > 0) {
-                strip.height -= less;
-                strip.draw = strip.drawOf(strip.height);
-                ofFigures -= less;
-            }
+            const double less = strip.lowers ? std::min(ofFigures, strip.height - strip.least) : 0;
+            strip.height -= less;
+            strip.lowered = strip.lowered || less > 0;
+            ofFigures -= less;
         }
         return true;
     }
 
     /// Shrinks a figure that does not fit rather than leave half a page blank: on the first page of a test
     /// down to its readable height, on others a little.
-    bool lowerFigure(const Strips &strips, std::size_t from, std::size_t end, double missing) {
+    bool lowerFigure(const StripPlaces &strips, std::size_t from, std::size_t end, double missing) {
         for (std::size_t i = from; i < end; ++i) {
-            if (!strips[i].drawOf)
+            if (!strips[i].lowers)
                 continue;
             const double least = m_page.running
                                      ? std::max(strips[i].least, leastOnFurtherPages * strips[i].height)
@@ -240,15 +247,15 @@ private:
         return gap < smallestToNarrow ? gap : m_narrowing * gap;
     }
 
-    void place(const Strip &strip) {
+    void place(const StripPlace &strip) {
         if (m_page.strips.empty() && strip.head)
-            m_page.strips.push_back(*strip.head);
+            m_page.strips.push_back(repeatedHead(strip));
         m_page.strips.push_back(strip);
-        Strip &placed = m_page.strips.back();
+        StripPlace &placed = m_page.strips.back();
         placed.gap = narrowed(strip.gap);
-        if (m_lowering > 0 && strip.drawOf && strip.height - strip.least >= m_lowering) {
+        if (m_lowering > 0 && strip.lowers && strip.height - strip.least >= m_lowering) {
             placed.height -= m_lowering;
-            placed.draw = strip.drawOf(placed.height);
+            placed.lowered = true;
             m_lowering = 0;
         }
     }
@@ -263,7 +270,7 @@ private:
 
     /// True if a strip may be the first of a page: with `sections` only one that begins a section.
     [[nodiscard]] static bool mayBegin(const PageStrips &page, std::size_t strip, bool sections) {
-        const Strip &first = page.strips[strip];
+        const StripPlace &first = page.strips[strip];
         const bool inBlock = first.block < 0; // rows of a table, whose head is repeated
         return !page.strips[strip - 1].withNext && (first.section || (inBlock && !sections));
     }
@@ -287,7 +294,7 @@ private:
                 const PageStrips kept{before.running, {before.strips.begin(), from}, before.narrow};
                 PageStrips moved{last.running, {from, before.strips.end()}, last.narrow};
                 if (from->head)
-                    moved.strips.insert(moved.strips.begin(), *from->head);
+                    moved.strips.insert(moved.strips.begin(), repeatedHead(*from));
                 moved.strips.insert(moved.strips.end(), last.strips.begin() + (repeatsHead ? 1 : 0),
                                     last.strips.end());
                 if (moved.used() > m_bottom - moved.top() || kept.used() < least(kept))
@@ -313,129 +320,11 @@ private:
     std::vector<PageStrips> m_pages;
     std::size_t m_part = 0; ///< first page since a page break
     PageStrips m_page;
-    std::optional<RunningHead> m_running;
+    std::shared_ptr<const RunningHead> m_running;
     bool m_narrow = false;     ///< less below it
     double m_narrowing = 1;    ///< factor for the larger gaps of this page
     std::vector<bool> m_early; ///< strips moved forward within their test
     double m_lowering = 0;     ///< reduction of the next figure's height
-};
-
-class PageMaker {
-public:
-    PageMaker(const Report &report, QSizeF size)
-        : m_report(report)
-        , m_inTest(inTest(report.blocks))
-        , m_size(size)
-        , m_width(size.width() - leftMargin - rightMargin) {}
-
-    [[nodiscard]] PrintedPage page(const PageStrips &content, const Strip *next, std::size_t number,
-                                   std::size_t count) const {
-        PrintedPage result;
-        result.size = m_size;
-        if (content.running)
-            addRunningHead(result, *content.running);
-        addStrips(result, content, next);
-        addFooter(result, number, count);
-        return result;
-    }
-
-private:
-    static double wideGap(const Strip &strip) {
-        return strip.section && strip.gap >= sectionGap ? largestGap : strip.gap;
-    }
-
-    void addStrips(PrintedPage &page, const PageStrips &content, const Strip *next) const {
-        const double free = m_size.height() - bottomMargin - content.top() - content.used();
-        double extra = 0;
-        for (const Strip &strip : content.strips) {
-            if (&strip != &content.strips.front())
-                extra += wideGap(strip) - strip.gap;
-        }
-        const bool wide = extra <= free;
-        double y = content.top();
-        for (const Strip &strip : content.strips) {
-            if (&strip != &content.strips.front())
-                y += wide ? wideGap(strip) : strip.gap;
-            if (strip.draw)
-                page.parts.push_back({{leftMargin, y}, strip.draw, !strip.link.isEmpty()});
-            if (strip.block >= 0)
-                addBookmark(page, static_cast<std::size_t>(strip.block), y);
-            if (!strip.link.isEmpty())
-                page.links.push_back({QRectF(leftMargin, y, m_width, strip.height), strip.link});
-            y += strip.height;
-        }
-        const bool tableGoesOn =
-            next && next->head && !content.strips.empty() && content.strips.back().head == next->head;
-        if (tableGoesOn) {
-            page.parts.push_back(
-                {{leftMargin, y}, [width = content.strips.back().closingRule](QPainter &painter, QPointF at) {
-                     drawRule(painter, at, width, outerRule);
-                 }});
-        }
-    }
-
-    /// Bookmarks of sections in a test are below the bookmark of the test.
-    void addBookmark(PrintedPage &page, std::size_t index, double y) const {
-        const Block &block = m_report.blocks[index];
-        if (const auto *head = std::get_if<TestHead>(&block))
-            page.bookmarks.push_back(
-                {0, head->subtitle.isEmpty() || head->annex ? head->title : head->subtitle, y, head->anchor});
-        else if (const auto *heading = std::get_if<Heading>(&block); heading && heading->level <= 2)
-            page.bookmarks.push_back(
-                {m_inTest[index] && heading->level > 1 ? 1 : 0, heading->text, y, heading->anchor});
-    }
-
-    /// True for each block that follows the head of a test or a heading of level 1; a page break ends that.
-    static std::vector<bool> inTest(const std::vector<Block> &blocks) {
-        std::vector<bool> result;
-        bool within = false;
-        for (const Block &block : blocks) {
-            if (std::holds_alternative<PageBreak>(block))
-                within = false;
-            else if (const auto *heading = std::get_if<Heading>(&block);
-                     std::holds_alternative<TestHead>(block) || (heading && heading->level == 1))
-                within = true;
-            result.push_back(within);
-        }
-        return result;
-    }
-
-    void addRunningHead(PrintedPage &page, const RunningHead &running) const {
-        const TextBlock right = elided(running.right, 0.7 * m_width);
-        const TextBlock left = elided(running.left, m_width - right.width() - 5 * mm);
-        page.parts.push_back({{leftMargin, topMargin}, [=, width = m_width](QPainter &painter, QPointF at) {
-                                  left.draw(painter, at);
-                                  right.draw(painter, at, TextAlignment::right, width);
-                                  drawRule(painter, at + QPointF(0, left.lineHeight() + runningRule), width,
-                                           headRule, ruleGrey);
-                              }});
-    }
-
-    void addFooter(PrintedPage &page, std::size_t number, std::size_t count) const {
-        QString pageNumber = m_report.footerRight;
-        pageNumber.replace(QLatin1String("%1"), QString::number(number));
-        pageNumber.replace(QLatin1String("%2"), QString::number(count));
-        const TextBlock centre = elided(m_report.footerCentre, m_width / 2);
-        const TextBlock right(pageNumber, runningStyle);
-        const double room = (m_width - centre.width()) / 2 - 3 * mm;
-        TextBlock left(m_report.footerLeft, runningStyle, room); // long numbers whole, if they can be
-        constexpr std::size_t mostLines = 3;
-        if (left.lineCount() > mostLines)
-            left = elided(m_report.footerLeft, room);
-        page.parts.push_back(
-            {{leftMargin, m_size.height() - footerRule}, [=, width = m_width](QPainter &painter, QPointF at) {
-                 drawRule(painter, at, width, headRule, ruleGrey);
-                 const QPointF line = at + QPointF(0, footerText);
-                 left.draw(painter, line);
-                 centre.draw(painter, line, TextAlignment::centre, width);
-                 right.draw(painter, line, TextAlignment::right, width);
-             }});
-    }
-
-    const Report &m_report;
-    std::vector<bool> m_inTest;
-    QSizeF m_size;
-    double m_width;
 };
 
 /// Calls `visit` with each strip, the block it belongs to, and its page, counted from 1.
@@ -444,7 +333,7 @@ void eachStrip(const Flow &flow, const auto &visit) {
     int page = 0;
     for (const PageStrips &content : flow.pages()) {
         ++page;
-        for (const Strip &strip : content.strips) {
+        for (const StripPlace &strip : content.strips) {
             if (strip.block >= 0)
                 block = static_cast<std::size_t>(strip.block);
             visit(strip, block, page);
@@ -455,7 +344,7 @@ void eachStrip(const Flow &flow, const auto &visit) {
 /// Page on which each block ends; 0: it has no strip.
 std::vector<int> pagesOfBlocks(const Flow &flow, std::size_t count) {
     std::vector<int> result(count);
-    eachStrip(flow, [&](const Strip &, std::size_t block, int page) {
+    eachStrip(flow, [&](const StripPlace &, std::size_t block, int page) {
         if (block < count)
             result[block] = page;
     });
@@ -464,8 +353,8 @@ std::vector<int> pagesOfBlocks(const Flow &flow, std::size_t count) {
 
 std::map<QString, int> anchorPages(const Flow &flow, const MeasuredBlocks &blocks) {
     std::map<QString, int> result;
-    eachStrip(flow, [&](const Strip &strip, std::size_t block, int page) {
-        const QString anchor = strip.block < 0 ? QString() : anchorOf(blocks[block].block);
+    eachStrip(flow, [&](const StripPlace &strip, std::size_t block, int page) {
+        const QString anchor = strip.block < 0 ? QString() : anchorOf(*blocks[block].block);
         if (!anchor.isEmpty())
             result.emplace(anchor, page);
     });
@@ -478,13 +367,13 @@ auto placeOf(MeasuredBlocks &blocks, std::size_t i) {
 
 template <class T>
 const T *asA(const MeasuredBlock &block) {
-    return std::get_if<T>(&block.block);
+    return std::get_if<T>(block.block.get());
 }
 
 /// End of the section that begins at `first`.
 std::size_t endOfSection(const MeasuredBlocks &blocks, std::size_t first) {
     std::size_t end = first + 1;
-    while (end < blocks.size() && !isMark(blocks[end].block) && !beginsSection(blocks[end].block))
+    while (end < blocks.size() && !isMark(*blocks[end].block) && !beginsSection(*blocks[end].block))
         ++end;
     return end;
 }
@@ -494,10 +383,10 @@ std::size_t endOfSection(const MeasuredBlocks &blocks, std::size_t first) {
 bool moveResults(MeasuredBlocks &blocks, const std::vector<int> &pages, std::size_t head) {
     const std::size_t figure = head + 2;
     std::size_t results = figure; // a heading followed by a table
-    while (results + 1 < blocks.size() && !isMark(blocks[results].block) &&
+    while (results + 1 < blocks.size() && !isMark(*blocks[results].block) &&
            !(asA<Heading>(blocks[results]) && asA<Table>(blocks[results + 1])))
         ++results;
-    if (results + 1 >= blocks.size() || isMark(blocks[results].block) || results == figure ||
+    if (results + 1 >= blocks.size() || isMark(*blocks[results].block) || results == figure ||
         pages[figure] == pages[head])
         return false;
     std::rotate(placeOf(blocks, figure), placeOf(blocks, results),
@@ -521,7 +410,7 @@ bool followPages(MeasuredBlocks &blocks, const Flow &flow) {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> places(blocks.size(), none);
     std::size_t place = 0;
-    eachStrip(flow, [&](const Strip &strip, std::size_t block, int) {
+    eachStrip(flow, [&](const StripPlace &strip, std::size_t block, int) {
         if (strip.block >= 0)
             places[block] = ++place;
     });
@@ -546,7 +435,7 @@ bool followPages(MeasuredBlocks &blocks, const Flow &flow) {
 /// Height of each block with the gap above it; 0: it has no strip.
 std::vector<double> heightsOfBlocks(const Flow &flow, std::size_t count) {
     std::vector<double> result(count);
-    eachStrip(flow, [&](const Strip &strip, std::size_t block, int) {
+    eachStrip(flow, [&](const StripPlace &strip, std::size_t block, int) {
         if (block < count)
             result[block] += strip.gap + strip.height;
     });
@@ -559,7 +448,7 @@ std::size_t endOfWhatFits(const MeasuredBlocks &blocks, std::size_t first, const
                           std::size_t most = std::numeric_limits<std::size_t>::max()) {
     double room = bottom - page.top() - page.used() - roundingRoom;
     std::size_t taken = first;
-    for (std::size_t count = 0; count < most && taken < blocks.size() && beginsSection(blocks[taken].block);
+    for (std::size_t count = 0; count < most && taken < blocks.size() && beginsSection(*blocks[taken].block);
          ++count) {
         const std::size_t next = endOfSection(blocks, taken);
         const double height = std::accumulate(heights.begin() + static_cast<std::ptrdiff_t>(taken),
@@ -618,11 +507,11 @@ bool fillResults(MeasuredBlocks &blocks, const Flow &flow, double bottom) {
         if (!asA<TestHead>(blocks[head]) || !verdict || verdict->anchor.isEmpty())
             continue;
         std::size_t behind = head + 1;
-        while (behind < blocks.size() && !isMark(blocks[behind].block))
+        while (behind < blocks.size() && !isMark(*blocks[behind].block))
             ++behind;
         const int page = pages[behind - 1];
         std::size_t first = behind;
-        while (first < blocks.size() && anchorOf(blocks[first].block) != verdict->anchor)
+        while (first < blocks.size() && anchorOf(*blocks[first].block) != verdict->anchor)
             ++first;
         if (page <= pages[head] || first >= blocks.size())
             continue;
@@ -650,7 +539,7 @@ int pagesBeforeAnnex(const MeasuredBlocks &blocks, const Flow &flow) {
 bool moveToAnnex(MeasuredBlocks &blocks) {
     const auto head = static_cast<std::size_t>(std::ranges::find_if(blocks, isAnnex) - blocks.begin());
     for (std::size_t i = head; i-- > 0;) {
-        const Heading *heading = sectionHeading(blocks[i].block);
+        const Heading *heading = sectionHeading(*blocks[i].block);
         if (!heading || !heading->annexFirst)
             continue;
         std::rotate(placeOf(blocks, i), placeOf(blocks, endOfSection(blocks, i)), placeOf(blocks, head + 1));
@@ -675,57 +564,86 @@ void setNarrow(Holder &block) {
     }
 }
 
-/// A report on its pages. Text is measured once, with the widest page numbers; again is measured what names a
-/// page, with its number and in the height it had, and what is set narrow in a certificate that is too long.
+/// Height of an empty page.
+double tallestAt(double bottom) {
+    return bottom - topMargin - runningHeadHeight();
+}
+
+/// Which strip stands where in a report. Text is measured once, with the widest page numbers; again is
+/// measured what names a page, with its number and in the height it had, and what is set narrow in a
+/// certificate that is too long.
 class Layout {
 public:
-    Layout(const Report &report, QSizeF size, const std::stop_token &stop = {})
-        : m_report(report)
+    Layout(Report report, QSizeF size, const std::stop_token &stop = {})
+        : m_report(std::move(report))
         , m_width(size.width() - leftMargin - rightMargin)
         , m_bottom(size.height() - bottomMargin)
         , m_flow(m_bottom) {
         constexpr int widestNumber = 888;
-        for (const Block &block : report.blocks) {
+        for (const Block &block : m_report.blocks) {
             if (const QString anchor = anchorOf(block); !anchor.isEmpty())
                 m_widest.emplace(anchor, widestNumber);
         }
-        for (const Block &block : report.blocks) {
+        m_blocks.reserve(m_report.blocks.size());
+        for (Block &block : m_report.blocks) {
             if (stop.stop_requested())
                 break;
-            measure(m_blocks.emplace_back(MeasuredBlock{block, {}}), false);
+            measure(m_blocks.emplace_back(MeasuredBlock{std::make_shared<Block>(std::move(block)), {}}),
+                    false);
         }
+        m_report.blocks.clear();
         arrange();
         squeezeParts();
         squeezeEnds();
         putNumbers();
-        m_report.blocks.clear();
-        for (MeasuredBlock &each : m_blocks)
-            m_report.blocks.push_back(std::move(each.block));
     }
 
+    /// The report without its blocks, which are in another order and may say more: the pages.
     [[nodiscard]] const Report &report() const { return m_report; }
-    [[nodiscard]] const std::vector<PageStrips> &pages() const { return m_flow.pages(); }
+    [[nodiscard]] std::vector<std::shared_ptr<const Block>> blocks() const {
+        std::vector<std::shared_ptr<const Block>> result;
+        for (const MeasuredBlock &each : m_blocks)
+            result.push_back(each.block);
+        return result;
+    }
+    [[nodiscard]] std::vector<PageStrips> takePages() { return m_flow.takePages(); }
+    /// Whether each block of the report is set narrow.
+    [[nodiscard]] std::vector<bool> narrowness() const {
+        std::vector<bool> result;
+        for (const MeasuredBlock &each : m_blocks)
+            result.push_back(each.narrow);
+        return result;
+    }
 
 private:
-    /// Height of an empty page.
-    [[nodiscard]] double tallest() const { return m_bottom - topMargin - runningHeadHeight(); }
+    [[nodiscard]] StripPlaces stripsOf(const std::shared_ptr<const Block> &block, bool narrow) const {
+        return placesOf(measured(block, m_width, tallestAt(m_bottom), narrow));
+    }
 
-    [[nodiscard]] Strips stripsOf(Block block, const std::map<QString, int> &pages,
-                                  bool narrow = false) const {
-        putPages(block, pages);
-        return measured(block, m_width, tallest(), narrow);
+    /// The block, to be changed.
+    static Block &own(MeasuredBlock &each) {
+        if (each.block.use_count() > 1)
+            each.block = std::make_shared<Block>(*each.block);
+        return *each.block;
     }
 
     void measure(MeasuredBlock &each, bool narrow) const {
-        if (auto *both = std::get_if<SideBySide>(&each.block))
-            levelColumns(*both, m_width, tallest());
-        each.strips = stripsOf(each.block, m_widest, narrow);
+        if (std::holds_alternative<SideBySide>(*each.block))
+            levelColumns(std::get<SideBySide>(own(each)), m_width, tallestAt(m_bottom));
+        each.narrow = narrow;
+        if (!namesPages(*each.block)) {
+            each.strips = stripsOf(each.block, narrow);
+            return;
+        }
+        const auto widest = std::make_shared<Block>(*each.block);
+        putPages(*widest, m_widest);
+        each.strips = stripsOf(widest, narrow);
     }
 
     void flow() {
-        Strips strips = joined(m_blocks);
+        StripPlaces strips = joined(m_blocks);
         double narrowing = m_narrowing;
-        for (Strip &strip : strips) {
+        for (StripPlace &strip : strips) {
             const auto *block = strip.block < 0 ? nullptr : &m_blocks[static_cast<std::size_t>(strip.block)];
             if (block && isAnnex(*block))
                 narrowing = m_narrowingOfAnnex;
@@ -790,7 +708,7 @@ private:
         }
         for (std::size_t i = 0; i + 1 < m_blocks.size() && !isAnnex(m_blocks[i + 1]); ++i) {
             if (heads == ofHeads.contains(pages[i])) {
-                std::visit([](auto &block) { setNarrow(block); }, m_blocks[i].block);
+                std::visit([](auto &block) { setNarrow(block); }, own(m_blocks[i]));
                 measure(m_blocks[i], true);
             }
         }
@@ -803,7 +721,7 @@ private:
             if (!of || !of->anchor.isEmpty())
                 continue;
             std::size_t end = head;
-            while (end < m_blocks.size() && !isMark(m_blocks[end].block))
+            while (end < m_blocks.size() && !isMark(*m_blocks[end].block))
                 ++end;
             const auto pagesMore = [&] {
                 const std::vector<int> pages = pagesOfBlocks(m_flow, m_blocks.size());
@@ -815,7 +733,7 @@ private:
                 continue;
             const MeasuredBlocks wide(placeOf(m_blocks, head), placeOf(m_blocks, end));
             for (std::size_t i = head; i < end; ++i) {
-                std::visit([](auto &block) { setNarrow(block); }, m_blocks[i].block);
+                std::visit([](auto &block) { setNarrow(block); }, own(m_blocks[i]));
                 measure(m_blocks[i], true);
                 m_blocks[i].close = true;
             }
@@ -854,9 +772,11 @@ private:
     void putNumbers() {
         const std::map<QString, int> numbers = anchorPages(m_flow, m_blocks);
         for (MeasuredBlock &each : m_blocks) {
-            if (!putPages(each.block, numbers))
+            if (!namesPages(*each.block))
                 continue;
-            Strips strips = stripsOf(each.block, numbers, each.close);
+            putPages(own(each), numbers);
+            each.narrow = each.close;
+            StripPlaces strips = stripsOf(each.block, each.narrow);
             for (std::size_t i = 0; i < std::min(strips.size(), each.strips.size()); ++i)
                 strips[i].height = each.strips[i].height;
             each.strips = std::move(strips);
@@ -878,24 +798,203 @@ private:
     bool m_tooLong = false; ///< whatever is done
 };
 
+/// The strips of blocks with what they draw, made again where a page asks for them. They stay until a page
+/// after their last one is made: where they stand in memory tells parts apart (Tag).
+class DrawnBlocks {
+public:
+    DrawnBlocks(std::vector<std::shared_ptr<const Block>> blocks, std::vector<bool> narrow, double width,
+                double tallest)
+        : m_blocks(std::move(blocks))
+        , m_narrow(std::move(narrow))
+        , m_width(width)
+        , m_tallest(tallest) {}
+
+    [[nodiscard]] const Block &block(std::size_t index) const { return *m_blocks[index]; }
+    void beginPage() {
+        std::erase_if(m_drawn, [this](const auto &each) { return each.second.page < m_page; });
+        ++m_page;
+    }
+
+    /// Owns what it draws.
+    std::function<void(QPainter &, QPointF)> drawing(const StripPlace &place) {
+        const auto index = static_cast<std::size_t>(place.owner);
+        Drawn &drawn = m_drawn[index];
+        drawn.page = m_page;
+        if (!drawn.strips)
+            drawn.strips = std::make_shared<const Strips>(
+                measured(m_blocks[index], m_width, m_tallest, m_narrow[index]));
+        const Strip &strip = drawn.strips->at(static_cast<std::size_t>(place.index));
+        if (strip.drawOf && place.lowered)
+            return strip.drawOf(place.height);
+        return [strips = drawn.strips, &strip](QPainter &painter, QPointF at) { strip.draw(painter, at); };
+    }
+
+private:
+    struct Drawn {
+        std::shared_ptr<const Strips> strips;
+        std::size_t page = 0; ///< that asked last
+    };
+
+    std::vector<std::shared_ptr<const Block>> m_blocks;
+    std::vector<bool> m_narrow; ///< by block
+    double m_width;
+    double m_tallest;
+    std::map<std::size_t, Drawn> m_drawn; ///< by block
+    std::size_t m_page = 0;
+};
+
+/// Makes the pages of a layout.
+class PageMaker {
+public:
+    PageMaker(Layout layout, QSizeF size)
+        : m_report(layout.report())
+        , m_inTest(inTest(layout.blocks()))
+        , m_size(size)
+        , m_width(size.width() - leftMargin - rightMargin)
+        , m_blocks(layout.blocks(), layout.narrowness(), m_width, tallestAt(size.height() - bottomMargin))
+        , m_pages(layout.takePages()) {}
+
+    [[nodiscard]] std::size_t count() const { return m_pages.size(); }
+
+    [[nodiscard]] PrintedPage page(std::size_t index) {
+        m_blocks.beginPage();
+        const PageStrips &content = m_pages[index];
+        // If a table continues, the next page begins with its repeated head, followed by its next row.
+        const StripPlace *next = index + 1 < m_pages.size() && m_pages[index + 1].strips.size() > 1
+                                     ? &m_pages[index + 1].strips[1]
+                                     : nullptr;
+        PrintedPage result;
+        result.size = m_size;
+        if (content.running)
+            addRunningHead(result, *content.running);
+        addStrips(result, content, next);
+        addFooter(result, index + 1, m_pages.size());
+        return result;
+    }
+
+private:
+    static double wideGap(const StripPlace &strip) {
+        return strip.section && strip.gap >= sectionGap ? largestGap : strip.gap;
+    }
+
+    void addStrips(PrintedPage &page, const PageStrips &content, const StripPlace *next) {
+        const double free = m_size.height() - bottomMargin - content.top() - content.used();
+        double extra = 0;
+        for (const StripPlace &strip : content.strips) {
+            if (&strip != &content.strips.front())
+                extra += wideGap(strip) - strip.gap;
+        }
+        const bool wide = extra <= free;
+        double y = content.top();
+        for (const StripPlace &strip : content.strips) {
+            if (&strip != &content.strips.front())
+                y += wide ? wideGap(strip) : strip.gap;
+            if (strip.drawn)
+                page.parts.push_back({{leftMargin, y}, m_blocks.drawing(strip), !strip.link.isEmpty()});
+            if (strip.block >= 0)
+                addBookmark(page, static_cast<std::size_t>(strip.block), y);
+            if (!strip.link.isEmpty())
+                page.links.push_back({QRectF(leftMargin, y, m_width, strip.height), strip.link});
+            y += strip.height;
+        }
+        const bool tableGoesOn =
+            next && next->head && !content.strips.empty() && content.strips.back().head == next->head;
+        if (tableGoesOn) {
+            page.parts.push_back(
+                {{leftMargin, y}, [width = content.strips.back().closingRule](QPainter &painter, QPointF at) {
+                     drawRule(painter, at, width, outerRule);
+                 }});
+        }
+    }
+
+    /// Bookmarks of sections in a test are below the bookmark of the test.
+    void addBookmark(PrintedPage &page, std::size_t index, double y) const {
+        const Block &block = m_blocks.block(index);
+        if (const auto *head = std::get_if<TestHead>(&block))
+            page.bookmarks.push_back(
+                {0, head->subtitle.isEmpty() || head->annex ? head->title : head->subtitle, y, head->anchor});
+        else if (const auto *heading = std::get_if<Heading>(&block); heading && heading->level <= 2)
+            page.bookmarks.push_back(
+                {m_inTest[index] && heading->level > 1 ? 1 : 0, heading->text, y, heading->anchor});
+    }
+
+    /// True for each block that follows the head of a test or a heading of level 1; a page break ends that.
+    static std::vector<bool> inTest(const std::vector<std::shared_ptr<const Block>> &blocks) {
+        std::vector<bool> result;
+        bool within = false;
+        for (const auto &block : blocks) {
+            if (std::holds_alternative<PageBreak>(*block))
+                within = false;
+            else if (const auto *heading = std::get_if<Heading>(block.get());
+                     std::holds_alternative<TestHead>(*block) || (heading && heading->level == 1))
+                within = true;
+            result.push_back(within);
+        }
+        return result;
+    }
+
+    void addRunningHead(PrintedPage &page, const RunningHead &running) const {
+        const TextBlock right = elided(running.right, 0.7 * m_width);
+        const TextBlock left = elided(running.left, m_width - right.width() - 5 * mm);
+        page.parts.push_back({{leftMargin, topMargin}, [=, width = m_width](QPainter &painter, QPointF at) {
+                                  left.draw(painter, at);
+                                  right.draw(painter, at, TextAlignment::right, width);
+                                  drawRule(painter, at + QPointF(0, left.lineHeight() + runningRule), width,
+                                           headRule, ruleGrey);
+                              }});
+    }
+
+    void addFooter(PrintedPage &page, std::size_t number, std::size_t count) const {
+        QString pageNumber = m_report.footerRight;
+        pageNumber.replace(QLatin1String("%1"), QString::number(number));
+        pageNumber.replace(QLatin1String("%2"), QString::number(count));
+        const TextBlock centre = elided(m_report.footerCentre, m_width / 2);
+        const TextBlock right(pageNumber, runningStyle);
+        const double room = (m_width - centre.width()) / 2 - 3 * mm;
+        TextBlock left(m_report.footerLeft, runningStyle, room); // long numbers whole, if they can be
+        constexpr std::size_t mostLines = 3;
+        if (left.lineCount() > mostLines)
+            left = elided(m_report.footerLeft, room);
+        page.parts.push_back(
+            {{leftMargin, m_size.height() - footerRule}, [=, width = m_width](QPainter &painter, QPointF at) {
+                 drawRule(painter, at, width, headRule, ruleGrey);
+                 const QPointF line = at + QPointF(0, footerText);
+                 left.draw(painter, line);
+                 centre.draw(painter, line, TextAlignment::centre, width);
+                 right.draw(painter, line, TextAlignment::right, width);
+             }});
+    }
+
+    Report m_report; ///< without its blocks
+    std::vector<bool> m_inTest;
+    QSizeF m_size;
+    double m_width;
+    DrawnBlocks m_blocks;
+    std::vector<PageStrips> m_pages;
+};
+
 } // namespace
 
 Report arrangedForPages(const Report &report) {
-    return Layout(report, sizeOf(report.paper)).report();
+    const Layout layout(report, sizeOf(report.paper));
+    Report result = layout.report();
+    for (const auto &block : layout.blocks())
+        result.blocks.push_back(*block);
+    return result;
+}
+
+LaidOutReport::LaidOutReport(Report report, const std::stop_token &stop) {
+    const QSizeF size = sizeOf(report.paper);
+    const auto maker = std::make_shared<PageMaker>(Layout(std::move(report), size, stop), size);
+    m_count = maker->count();
+    m_page = [maker](std::size_t index) { return maker->page(index); };
 }
 
 Pages layoutPages(const Report &report, const std::stop_token &stop) {
-    const QSizeF size = sizeOf(report.paper);
-    const Layout layout(report, size, stop);
-    const PageMaker maker(layout.report(), size);
-    const std::vector<PageStrips> &filled = layout.pages();
+    LaidOutReport laidOut(report, stop);
     Pages pages;
-    for (std::size_t i = 0; i < filled.size(); ++i) {
-        const bool last = i + 1 == filled.size();
-        // If a table continues, the next page begins with its repeated head, followed by its next row.
-        const Strip *next = !last && filled[i + 1].strips.size() > 1 ? &filled[i + 1].strips[1] : nullptr;
-        pages.push_back(maker.page(filled[i], next, i + 1, filled.size()));
-    }
+    for (std::size_t i = 0; i < laidOut.pageCount(); ++i)
+        pages.push_back(laidOut.page(i));
     return pages;
 }
 

@@ -7,6 +7,7 @@
 #include <QPointF>
 #include <QRectF>
 #include <QSizeF>
+#include <cstddef>
 #include <functional>
 #include <stop_token>
 #include <vector>
@@ -46,10 +47,26 @@ struct PrintedPage {
 
 using Pages = std::vector<PrintedPage>;
 
-/// Lays out a report as pages with running heads, footers and page numbers. A section never starts in the
-/// last 25 mm, a figure keeps its caption, a verdict follows its head, heads of split tables are
-/// repeated. Every report gives at least one page; if stop is requested meanwhile, the pages are not
-/// those of the report. Requires a QApplication (figures).
+/// A report as pages with running heads, footers and page numbers. A section never starts in the last 25 mm,
+/// a figure keeps its caption, a verdict follows its head, heads of split tables are repeated. Every report
+/// gives at least one page. Pages are made when they are asked for: of a long report only a few are in
+/// memory. Requires a QApplication (figures).
+class LaidOutReport {
+public:
+    /// If stop is requested meanwhile, the pages are not those of the report.
+    explicit LaidOutReport(Report report, const std::stop_token &stop = {});
+
+    [[nodiscard]] std::size_t pageCount() const { return m_count; }
+    /// Page `index`, from 0; in their order each takes least time. With Tagging they are drawn one by one in
+    /// their order, each before the next is made.
+    [[nodiscard]] PrintedPage page(std::size_t index) { return m_page(index); }
+
+private:
+    std::size_t m_count = 0;
+    std::function<PrintedPage(std::size_t)> m_page;
+};
+
+/// All pages of a report at once, independent of it.
 [[nodiscard]] Pages layoutPages(const Report &report, const std::stop_token &stop = {});
 
 /// The first page, or those before the first page break, whose references to other pages are dashes: soon

@@ -161,6 +161,13 @@ struct PlacedText {
     std::size_t cell = 0; ///< index of its column
 };
 
+/// Height of a row.
+struct RowExtent {
+    std::size_t lines = 1;
+    std::size_t beside = 1; ///< rows that its tallest cell spans
+    std::size_t besideLines = 1;
+};
+
 /// A row ready for drawing: texts, marks and pictures in reading order.
 struct PrintedRow {
     struct Sign {
@@ -176,9 +183,8 @@ struct PrintedRow {
     std::vector<PlacedText> texts; ///< by column
     std::vector<Sign> signs;
     std::shared_ptr<const std::vector<CellTag>> cells = {}; ///< by column; null: no row of a table
-    std::size_t lines = 1;
-    std::size_t beside = 1; ///< rows that its tallest cell spans
-    std::size_t besideLines = 1;
+    const std::vector<Cell> *source = nullptr;              ///< that it was made of
+    RowExtent extent = {};
 };
 
 TextAlignment textAlignment(Alignment alignment) {
@@ -261,10 +267,10 @@ void addCell(PrintedRow &row, const Cell &cell, const Column &column, const Plac
         row.texts.push_back(std::move(below));
     }
     if (cell.rows > 1) {
-        row.beside = std::max(row.beside, cell.rows);
-        row.besideLines = std::max(row.besideLines, lines);
+        row.extent.beside = std::max(row.extent.beside, cell.rows);
+        row.extent.besideLines = std::max(row.extent.besideLines, lines);
     } else {
-        row.lines = std::max(row.lines, lines);
+        row.extent.lines = std::max(row.extent.lines, lines);
     }
 }
 
@@ -290,7 +296,7 @@ void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
             text->block.draw(painter, at + QPointF(text->x, static_cast<double>(text->line) * lineHeight),
                              text->alignment, text->width);
     };
-    const Tag tag(row.cells ? "/TR" : "/LI", row.cells.get());
+    const Tag tag(row.cells ? "/TR" : "/LI", row.source);
     if (!row.cells) {
         const Tag body("/LBody");
         drawTexts(0);
@@ -299,7 +305,7 @@ void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
     for (std::size_t i = 0; i < row.cells->size(); ++i) {
         if ((*row.cells)[i].columns == 0)
             continue;
-        const Tag cell((*row.cells)[i], &(*row.cells)[i]);
+        const Tag cell((*row.cells)[i], &(*row.source)[i]);
         drawTexts(i);
     }
 }
@@ -309,6 +315,7 @@ PrintedRow lineOf(const PrintedRow &row, std::size_t index) {
     if (index == 0)
         result.signs = row.signs;
     result.cells = row.cells;
+    result.source = row.source;
     for (const PlacedText &text : row.texts) {
         if (index >= text.line && index - text.line < text.block.lineCount())
             result.texts.push_back(
@@ -326,28 +333,25 @@ struct RowEdges {
     bool strong = false; ///< black rule at the end of a group
 };
 
-void addRow(Strips &strips, PrintedRow row, double lineHeight, double width, const RowEdges &edges,
-            const std::shared_ptr<Strip> &head) {
-    const double height = static_cast<double>(row.lines) * lineHeight;
-    std::vector<PrintedRow> parts;
-    if (height > tallestRow) {
-        for (std::size_t i = 0; i < row.lines; ++i)
-            parts.push_back(lineOf(row, i));
-    } else {
-        parts.push_back(std::move(row));
-    }
-    for (std::size_t i = 0; i < parts.size(); ++i) {
+/// `make` returns the row again when it is drawn.
+template <class Make>
+void addRow(Strips &strips, const RowExtent &row, const Make &make, double lineHeight, double width,
+            const RowEdges &edges, const std::shared_ptr<Strip> &head) {
+    const bool split = static_cast<double>(row.lines) * lineHeight > tallestRow;
+    const std::size_t parts = split ? row.lines : 1;
+    for (std::size_t i = 0; i < parts; ++i) {
         const double above = i == 0 ? edges.above : 0;
-        const bool last = i + 1 == parts.size();
+        const bool last = i + 1 == parts;
         Strip strip;
-        strip.height = above + static_cast<double>(parts[i].lines) * lineHeight + (last ? edges.below : 0);
+        strip.height =
+            above + static_cast<double>(split ? 1 : row.lines) * lineHeight + (last ? edges.below : 0);
         strip.head = head;
         strip.closingRule = width;
         strip.link = edges.link;
-        strip.draw = [part = std::make_shared<PrintedRow>(std::move(parts[i])), above, width,
-                      height = strip.height, group = last && edges.groupEnds, strong = edges.strong,
-                      end = last && edges.tableEnds](QPainter &painter, QPointF at) {
-            drawRow(painter, at + QPointF(0, above), *part);
+        strip.draw = [make, split, i, above, width, height = strip.height, group = last && edges.groupEnds,
+                      strong = edges.strong, end = last && edges.tableEnds](QPainter &painter, QPointF at) {
+            const auto &made = make();
+            drawRow(painter, at + QPointF(0, above), split ? lineOf(made, i) : made);
             if (end)
                 drawRule(painter, at + QPointF(0, height), width, outerRule);
             else if (group && strong)
@@ -357,6 +361,16 @@ void addRow(Strips &strips, PrintedRow row, double lineHeight, double width, con
         };
         strips.push_back(std::move(strip));
     }
+}
+
+/// The same for a row that is kept.
+void addKeptRow(Strips &strips, PrintedRow row, double lineHeight, double width, const RowEdges &edges,
+                const std::shared_ptr<Strip> &head) {
+    const RowExtent extent = row.extent;
+    addRow(
+        strips, extent,
+        [kept = std::make_shared<const PrintedRow>(std::move(row))]() -> const PrintedRow & { return *kept; },
+        lineHeight, width, edges, head);
 }
 
 /// Short tables stay together; longer ones have at least `least` rows on each side of a break.
@@ -370,7 +384,7 @@ void keepTogether(Strips &strips, bool all, bool headed, std::size_t least) {
 }
 
 /// Additional height below each row for cells that span several rows.
-std::vector<double> roomBelow(const std::vector<PrintedRow> &rows, double padding) {
+std::vector<double> roomBelow(const std::vector<RowExtent> &rows, double padding) {
     std::vector<double> result(rows.size(), 0);
     const double lineHeight = textSize * cellStyle.leading;
     for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -540,18 +554,20 @@ private:
 class CellTags {
 public:
     explicit CellTags(const Table &table)
-        : m_byRow(table.rows.size() > mostRows)
-        , m_headless(table.headless)
-        , m_covered(table.columns.size()) {}
+        : m_headless(table.headless)
+        , m_covered(table.columns.size()) {
+        if (table.rows.size() > mostRows) {
+            std::vector<CellTag> row(m_covered.size(), CellTag{0});
+            row.back() = {static_cast<int>(m_covered.size())};
+            m_ofRow = std::make_shared<const std::vector<CellTag>>(std::move(row));
+        }
+    }
 
     /// Long tables are told row by row: each is one cell.
     std::shared_ptr<const std::vector<CellTag>> of(const std::vector<Cell> &cells) {
         const int count = static_cast<int>(m_covered.size());
-        if (m_byRow) {
-            std::vector<CellTag> row(m_covered.size(), CellTag{0});
-            row.back() = {count};
-            return std::make_shared<const std::vector<CellTag>>(std::move(row));
-        }
+        if (m_ofRow)
+            return m_ofRow;
         std::vector<CellTag> row;
         int spanned = 0;
         for (std::size_t i = 0; i < m_covered.size(); ++i) {
@@ -573,13 +589,14 @@ public:
 private:
     static constexpr std::size_t mostRows = 2000;
 
-    bool m_byRow;
+    std::shared_ptr<const std::vector<CellTag>> m_ofRow;
     bool m_headless;
     std::vector<int> m_covered; ///< rows by the cell above, by column
 };
 
 PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::vector<Place> &columns) {
     PrintedRow row;
+    row.source = &cells;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const Cell &cell = cells[i];
         const Column &column = table.columns[i];
@@ -591,7 +608,7 @@ PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::
             const double room = beginningOf(cells[i + 1], columns[i + 1]) - 2 * cellPadding - columns[i].left;
             row.texts.push_back(narrowText(cell, columns[i], std::max(room, columns[i].width)));
             row.texts.back().cell = i;
-            row.lines = std::max(row.lines, row.texts.back().block.lineCount());
+            row.extent.lines = std::max(row.extent.lines, row.texts.back().block.lineCount());
             continue;
         }
         Place place = columns[i];
@@ -604,6 +621,19 @@ PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::
     }
     return row;
 }
+
+/// What the rows of a table are made of.
+struct TableContent {
+    std::shared_ptr<const Table> table;
+    std::vector<Place> columns;
+    std::vector<std::shared_ptr<const std::vector<CellTag>>> cells; ///< by row
+
+    [[nodiscard]] PrintedRow row(std::size_t index) const {
+        PrintedRow result = rowOf(*table, table->rows[index], columns);
+        result.cells = cells[index];
+        return result;
+    }
+};
 
 } // namespace
 
@@ -621,22 +651,23 @@ RichText richText(const Phrase &phrase, bool bold) {
     return result;
 }
 
-Strips tableStrips(const Table &table, double width) {
-    const std::vector<Place> columns = places(table, width);
+Strips tableStrips(const std::shared_ptr<const Table> &shared, double width) {
+    const Table &table = *shared;
+    const auto content = std::make_shared<TableContent>(TableContent{shared, places(table, width), {}});
     Strips strips;
     std::shared_ptr<Strip> head;
     if (!table.headless) {
-        const auto content = std::make_shared<TableHead>(table, columns, width);
+        const auto titles = std::make_shared<TableHead>(table, content->columns, width);
         head = std::make_shared<Strip>();
-        head->height = content->height();
-        head->draw = [content](QPainter &painter, QPointF at) { content->draw(painter, at); };
+        head->height = titles->height();
+        head->draw = [titles](QPainter &painter, QPointF at) { titles->draw(painter, at); };
         strips.push_back(*head);
     }
-    std::vector<PrintedRow> rows;
+    std::vector<RowExtent> rows;
     CellTags tags(table);
     for (const auto &cells : table.rows) {
-        rows.push_back(rowOf(table, cells, columns));
-        rows.back().cells = tags.of(cells);
+        rows.push_back(rowOf(table, cells, content->columns).extent);
+        content->cells.push_back(tags.of(cells));
     }
     const double padding = table.narrow ? narrowPadding : rowPadding;
     const std::vector<double> below = roomBelow(rows, padding);
@@ -649,10 +680,13 @@ Strips tableStrips(const Table &table, double width) {
         const bool strong = isIn(table.strongRulesAfter);
         together = std::max(together, r + rows[r].beside);
         const std::size_t before = strips.size();
-        addRow(strips, std::move(rows[r]), textSize * cellStyle.leading, width,
-               {padding, padding + below[r], strong || isIn(table.rulesAfter), last,
-                r < table.links.size() ? table.links[r] : QString(), strong},
-               head);
+        addRow(
+            strips, rows[r],
+            [made = std::shared_ptr<const TableContent>(content), r] { return made->row(r); },
+            textSize * cellStyle.leading, width,
+            {padding, padding + below[r], strong || isIn(table.rulesAfter), last,
+             r < table.links.size() ? table.links[r] : QString(), strong},
+            head);
         for (std::size_t i = before; r + 1 < together && i < strips.size(); ++i)
             strips[i].withNext = true;
     }
@@ -700,10 +734,10 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
             bold.bold = true;
             PrintedRow heading;
             heading.texts.push_back({TextBlock(line.heading, bold, width - 2 * firstPadding), firstPadding});
-            heading.lines = heading.texts[0].block.lineCount();
+            heading.extent.lines = heading.texts[0].block.lineCount();
             headings.push_back(strips.size());
-            addRow(strips, std::move(heading), style.size * style.leading, width,
-                   {padding, padding, false, false}, topRule);
+            addKeptRow(strips, std::move(heading), style.size * style.leading, width,
+                       {padding, padding, false, false}, topRule);
         }
         TextStyle grade = style;
         grade.bold = line.grade == Grade::requirement;
@@ -716,10 +750,10 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
         row.texts.push_back({TextBlock(richText(line.sentence), style, sentenceWidth), sentenceLeft});
         row.texts.push_back({TextBlock(line.clause.isEmpty() ? thinDash : line.clause, clause, clauseWidth),
                              clauseLeft, clauseWidth, TextAlignment::right});
-        row.lines = std::max(row.texts[1].block.lineCount(), row.texts[2].block.lineCount());
+        row.extent.lines = std::max(row.texts[1].block.lineCount(), row.texts[2].block.lineCount());
         const bool last = i + 1 == findings.lines.size();
-        addRow(strips, std::move(row), style.size * style.leading, width,
-               {padding, padding + (last ? topRule->height : 0), false, last}, topRule);
+        addKeptRow(strips, std::move(row), style.size * style.leading, width,
+                   {padding, padding + (last ? topRule->height : 0), false, last}, topRule);
     }
     if (!strips.empty())
         strips.insert(strips.begin(), *topRule);

@@ -7,6 +7,7 @@
 #include "print/pdf/pages.h"
 #include "print/pdf/tags.h"
 #include "report/attachedfile.h"
+#include "system/memory.h"
 
 #include <QBuffer>
 #include <QPageLayout>
@@ -16,18 +17,19 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace palmer {
 
 namespace {
 
 constexpr int dotsPerInch = 1200;
+constexpr std::size_t fewPages = 64;
 
 /// Where Qt draws so many pages: a few into memory, more into a file that nobody else can read and that is
 /// gone afterwards, for they would take more memory than all the rest.
 std::unique_ptr<QIODevice> placeFor(std::size_t pages) {
-    constexpr std::size_t few = 64;
-    if (pages > few) {
+    if (pages > fewPages) {
         auto file = std::make_unique<QTemporaryFile>();
         if (file->open())
             return file;
@@ -44,31 +46,53 @@ std::unique_ptr<QIODevice> placeFor(std::size_t pages) {
                              "there before is unchanged: save it under another name or in another folder")});
 }
 
-/// Also tells `tagging` what is drawn. What has been drawn is given up: of a long report, pages laid out take
-/// more memory than all the rest.
-void drawPages(Pages &pages, Tagging &tagging, QIODevice &to) {
-    QPdfWriter writer(&to);
+/// The pages as Qt draws them, and what else is written of each.
+struct DrawnPages {
+    std::unique_ptr<QIODevice> pdf;
+    std::vector<std::vector<Bookmark>> bookmarks; ///< by page
+    std::vector<std::vector<PageLink>> links;     ///< likewise
+};
+
+/// Draws one page after the other; also tells `tagging` what is drawn.
+DrawnPages drawPages(Report report, Tagging &tagging) {
+    constexpr std::size_t manyBlocks = 2000;
+    if (report.blocks.size() > manyBlocks)
+        returnFreeMemory(); // that of the evaluation and of its results
+    std::optional<LaidOutReport> laidOut(std::in_place, std::move(report));
+    const std::size_t count = laidOut->pageCount();
+    DrawnPages result;
+    result.pdf = placeFor(count);
+    PrintedPage page = laidOut->page(0);
+    QPdfWriter writer(result.pdf.get());
     writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b); // output intent, no transparency
     writer.setResolution(dotsPerInch);
-    writer.setPageLayout(QPageLayout(
-        QPageSize(pages.front().size, QPageSize::Point, QString(), QPageSize::FuzzyOrientationMatch),
-        QPageLayout::Portrait, QMarginsF(0, 0, 0, 0), QPageLayout::Point));
+    writer.setPageLayout(
+        QPageLayout(QPageSize(page.size, QPageSize::Point, QString(), QPageSize::FuzzyOrientationMatch),
+                    QPageLayout::Portrait, QMarginsF(0, 0, 0, 0), QPageLayout::Point));
     QPainter painter(&writer);
-    bool first = true;
-    for (PrintedPage &page : pages) {
-        if (!first)
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0) {
             writer.newPage();
-        first = false;
+            page = laidOut->page(i);
+        }
         tagging.beginPage();
         painter.save();
         painter.scale(dotsPerInch / 72.0, dotsPerInch / 72.0);
         drawPage(painter, page);
         painter.restore();
-        page.parts = {};
+        result.bookmarks.push_back(std::move(page.bookmarks));
+        result.links.push_back(std::move(page.links));
     }
     painter.end();
-    if (const auto *file = qobject_cast<QFileDevice *>(&to); file && file->error() != QFileDevice::NoError)
+    if (const auto *file = qobject_cast<QFileDevice *>(result.pdf.get());
+        file && file->error() != QFileDevice::NoError)
         throwUnwritable();
+    result.pdf->seek(0);
+    page = {};
+    laidOut.reset();
+    if (count > fewPages)
+        returnFreeMemory(); // that of the report is free now
+    return result;
 }
 
 /// A property on one line, without control characters.
@@ -84,19 +108,19 @@ PdfPlace placeOf(std::size_t page, double y) {
 
 /// Adds the bookmarks of all pages, and the links to those with an anchor.
 /// `elements`: of the links of all pages, in their order.
-void addNavigation(PdfProperties &properties, const Pages &pages,
+void addNavigation(PdfProperties &properties, const DrawnPages &pages,
                    const std::vector<Structure::Index> &elements) {
     std::map<QString, std::pair<PdfPlace, QString>> anchors;
-    for (std::size_t i = 0; i < pages.size(); ++i) {
-        for (const Bookmark &bookmark : pages[i].bookmarks) {
+    for (std::size_t i = 0; i < pages.bookmarks.size(); ++i) {
+        for (const Bookmark &bookmark : pages.bookmarks[i]) {
             properties.bookmarks.push_back({bookmark.level, oneLine(bookmark.title), placeOf(i, bookmark.y)});
             if (!bookmark.anchor.isEmpty())
                 anchors.emplace(bookmark.anchor, std::pair(placeOf(i, bookmark.y), oneLine(bookmark.title)));
         }
     }
     auto element = elements.begin();
-    for (std::size_t i = 0; i < pages.size(); ++i) {
-        for (const PageLink &link : pages[i].links) {
+    for (std::size_t i = 0; i < pages.bookmarks.size(); ++i) {
+        for (const PageLink &link : pages.links[i]) {
             const Structure::Index own = *element++;
             if (const auto target = anchors.find(link.anchor); target != anchors.end())
                 properties.links.push_back(
@@ -126,25 +150,23 @@ std::vector<PdfAttachment> attachmentsOf(const QString &testFileName, const QByt
     return attachments;
 }
 
-void writePdf(const Report &report, QIODevice &device, const QByteArray &results,
-              const QByteArray &certificate) {
-    writePdf(report, device, attachmentsOf(report.testFileName, report.testFile, results, certificate));
+void writePdf(Report report, QIODevice &device, const QByteArray &results, const QByteArray &certificate) {
+    const std::vector<PdfAttachment> attachments =
+        attachmentsOf(report.testFileName, report.testFile, results, certificate);
+    writePdf(std::move(report), device, attachments);
 }
 
-void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAttachment> &attachments) {
-    Pages pages = layoutPages(report);
+void writePdf(Report report, QIODevice &device, const std::vector<PdfAttachment> &attachments) {
     PdfProperties properties;
     properties.metadata = {oneLine(report.title), oneLine(report.laboratory), report.language, report.date,
                            report.making};
     properties.xmp = xmpPacket(properties.metadata);
     properties.attachments = attachments;
     Tagging tagging(Language::fromName(report.language).value_or(Language(Language::Id::english)));
-    const std::unique_ptr<QIODevice> drawn = placeFor(pages.size());
-    drawPages(pages, tagging, *drawn);
+    const DrawnPages pages = drawPages(std::move(report), tagging);
     properties.structure = tagging.takeStructure();
     addNavigation(properties, pages, tagging.links());
-    drawn->seek(0);
-    if (!finishPdf(*drawn, properties, device))
+    if (!finishPdf(*pages.pdf, properties, device))
         throwUnwritable();
 }
 

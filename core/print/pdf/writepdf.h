@@ -15,7 +15,7 @@ namespace palmer {
 /// dcc; both may be empty) as associated files. The same report gives the same bytes at any time, place and
 /// locale, provided QHashSeed::setDeterministicGlobalSeed() was called before the QApplication. Throws
 /// Error(unwritable) if the device does not accept all bytes.
-void writePdf(const Report &report, QIODevice &device, const QByteArray &results = {},
+void writePdf(Report report, QIODevice &device, const QByteArray &results = {},
               const QByteArray &certificate = {});
 
 /// Attachments of a report; compression starts here.
@@ -25,6 +25,6 @@ void writePdf(const Report &report, QIODevice &device, const QByteArray &results
 
 /// The same with compressed attachments: compressed in the background, and once for the reports of both
 /// languages.
-void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAttachment> &attachments);
+void writePdf(Report report, QIODevice &device, const std::vector<PdfAttachment> &attachments);
 
 } // namespace palmer

@@ -60,10 +60,11 @@ std::vector<std::vector<QRectF>> foreignPlaces(const Report &report) {
     if (notOnPaper(pageText(report)).empty())
         return result;
     ForeignPlaces places;
-    for (const PrintedPage &page : layoutPages(report)) {
+    LaidOutReport laidOut(report);
+    for (std::size_t i = 0; i < laidOut.pageCount(); ++i) {
         QImage nowhere(1, 1, QImage::Format_RGB32);
         QPainter painter(&nowhere);
-        drawPage(painter, page);
+        drawPage(painter, laidOut.page(i));
         result.push_back(places.take());
     }
     return result;

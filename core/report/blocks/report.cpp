@@ -72,6 +72,12 @@ void putPagesOf(Table &table, const std::map<QString, int> &pages) {
 
 } // namespace
 
+bool namesPages(const Block &block) {
+    const auto *table = std::get_if<Table>(&block);
+    return std::holds_alternative<VerdictLine>(block) || std::holds_alternative<EndMark>(block) ||
+           (table && !table->links.empty());
+}
+
 bool putPages(Block &block, const std::map<QString, int> &pages) {
     const auto pageOf = [&](const QString &anchor) {
         const auto found = pages.find(anchor);
@@ -86,8 +92,7 @@ bool putPages(Block &block, const std::map<QString, int> &pages) {
         for (Span &span : line->accordance.text.spans)
             span.text.replace(QLatin1String("%1"), pageOf(line->anchor));
     }
-    const auto *table = std::get_if<Table>(&block);
-    return line || std::holds_alternative<EndMark>(block) || (table && !table->links.empty());
+    return namesPages(block);
 }
 
 } // namespace palmer

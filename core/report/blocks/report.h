@@ -403,8 +403,11 @@ struct Report {
 /// Target name of a block for links and page numbers; may be empty.
 [[nodiscard]] QString anchorOf(const Block &block);
 
-/// Fills in the numbers of the pages that a block names; anchors without a page print a dash. Returns true if
-/// it names any.
+/// True if a block may name pages.
+[[nodiscard]] bool namesPages(const Block &block);
+
+/// Fills in the numbers of the pages that a block names; anchors without a page print a dash. Returns
+/// namesPages().
 bool putPages(Block &block, const std::map<QString, int> &pages);
 
 } // namespace palmer

@@ -195,7 +195,7 @@ private slots:
             table.columns[2].spare = 2;
             table.rows = {{Cell(text), Cell(QString("x")), Cell(QString("y"))}};
             double height = 0;
-            for (const Strip &strip : tableStrips(table, 175 * mm))
+            for (const Strip &strip : tableStrips(std::make_shared<const Table>(table), 175 * mm))
                 height += strip.height;
             return height;
         };

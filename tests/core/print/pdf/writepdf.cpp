@@ -179,6 +179,7 @@ private slots:
     void logoIsPartOfTheHead_data();
     void logoIsPartOfTheHead();
     void isSoundForOtherReaders();
+    void longReportsAreDrawnIntoAFile();
     void saysThatTheDeviceIsFull();
     void isArchivalWithItsData_data() { addStoredDocuments(); }
     void isArchivalWithItsData();
@@ -306,6 +307,33 @@ void WritePdf::isSoundForOtherReaders() {
     file.close();
     QVERIFY(
         run(u"qpdf"_s, {u"--check"_s, file.fileName()}, {}).contains("No syntax or stream encoding errors"));
+}
+
+/// More pages than are drawn in memory; without a place for the file they are drawn there all the same.
+void WritePdf::longReportsAreDrawnIntoAFile() {
+    constexpr int count = 90;
+    Report report = reportOf(storedDocument(u"one-direction"_s), Language::Id::french);
+    report.blocks.clear();
+    for (int i = 1; i <= count; ++i) {
+        report.blocks.emplace_back(Heading{2, u"Section %1"_s.arg(i)});
+        report.blocks.emplace_back(Paragraph{u"Page %1."_s.arg(i)});
+        report.blocks.emplace_back(PageBreak{});
+    }
+    const QByteArray pdf = pdfOf(report);
+    const QStringList pages = pageTexts(pdf);
+    QCOMPARE(pages.size(), count);
+    for (int i = 1; i <= count; ++i)
+        QVERIFY(pages[i - 1].contains(u"Page %1."_s.arg(i)));
+    QPDF read;
+    read.processMemoryFile("report", pdf.constData(), static_cast<std::size_t>(pdf.size()));
+    QCOMPARE(read.getWarnings().size(), std::size_t(0));
+    QCOMPARE(QPDFOutlineDocumentHelper(read).getTopLevelOutlines().size(), std::size_t(count));
+    QCOMPARE(pdfOf(report), pdf);
+    const QByteArray usual = qgetenv("TMPDIR");
+    qputenv("TMPDIR", "/there/is/no/such/folder");
+    const QByteArray inMemory = pdfOf(report);
+    usual.isEmpty() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", usual);
+    QCOMPARE(inMemory, pdf);
 }
 
 void WritePdf::saysThatTheDeviceIsFull() {
