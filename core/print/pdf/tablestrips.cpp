@@ -67,39 +67,44 @@ double paddingBefore(const Table &table, std::size_t column) {
     return std::max(table.columns[column].paddingLeft * mm, column == 0 ? firstPadding : 0);
 }
 
-/// Space for decimal mark and decimals of a column; 0: it aligns none.
-double fractionOf(const Table &table, std::size_t column) {
-    qsizetype decimals = -1;
-    for (const auto &row : table.rows) {
-        const QString text = row[column].text.plain();
-        const qsizetype mark = isNumber(text) ? decimalMark(text) : -1;
-        if (mark >= 0)
-            decimals = std::max(decimals, text.size() - mark - 1);
-    }
-    if (table.columns[column].alignment != Alignment::decimal || decimals < 0)
-        return 0;
-    return textWidth(QStringLiteral(","), cellStyle) +
-           static_cast<double>(decimals) * textWidth(QStringLiteral("0"), cellStyle);
+/// Space for decimal mark and decimals of each column; 0: it aligns none.
+std::vector<double> fractionsOf(const Table &table) {
+    std::vector<qsizetype> decimals(table.columns.size(), -1);
+    table.eachRow([&](const std::vector<Cell> &row) {
+        for (std::size_t i = 0; i < decimals.size(); ++i) {
+            if (table.columns[i].alignment != Alignment::decimal)
+                continue;
+            const QString text = row[i].text.plain();
+            const qsizetype mark = isNumber(text) ? decimalMark(text) : -1;
+            if (mark >= 0)
+                decimals[i] = std::max(decimals[i], text.size() - mark - 1);
+        }
+    });
+    const double ofMark = textWidth(QStringLiteral(","), cellStyle);
+    const double ofDigit = textWidth(QStringLiteral("0"), cellStyle);
+    std::vector<double> result;
+    for (const qsizetype count : decimals)
+        result.push_back(count < 0 ? 0 : ofMark + static_cast<double>(count) * ofDigit);
+    return result;
 }
 
 /// Width that the widest text of a column needs on one line, with padding.
-double neededWidth(const Table &table, std::size_t column) {
+double neededWidth(const Table &table, std::size_t column, double fraction) {
     const bool spread = table.columns[column].titleSpan > 1;
-    const double fraction = fractionOf(table, column);
     double widest = spread ? 0 : TextBlock(richText(table.columns[column].title, true), cellStyle).width();
-    for (const auto &row : table.rows) {
+    table.eachRow([&](const std::vector<Cell> &row) {
         const Cell &cell = row[column];
         if (cell.columns > 1)
-            continue;
+            return;
         const double before = cell.mark == Mark::none ? 0 : markWidth;
         widest = std::max(widest, before + TextBlock(richText(cell.text, cell.bold), cellStyle).width());
         if (const QString text = cell.text.plain(); fraction > 0 && isNumber(text))
             widest = std::max(widest, textWidth(text.left(decimalMark(text)), styled(cell.bold)) + fraction);
-    }
+    });
     return paddingBefore(table, column) + widest + cellPadding;
 }
 
-std::vector<double> columnWidths(const Table &table, double width) {
+std::vector<double> columnWidths(const Table &table, double width, const std::vector<double> &fractions) {
     std::vector<double> result;
     double more = 0;
     std::size_t sharing = 0;
@@ -108,7 +113,8 @@ std::vector<double> columnWidths(const Table &table, double width) {
         const Column &column = table.columns[i];
         result.push_back(column.width * mm);
         if (column.fitting)
-            result[i] = std::max(result[i], std::min(neededWidth(table, i), width * mostFitted));
+            result[i] =
+                std::max(result[i], std::min(neededWidth(table, i, fractions[i]), width * mostFitted));
         more += result[i] - column.width * mm;
         sharing += column.width <= 0 ? 1 : 0;
         flexible += column.flexible ? 1 : 0;
@@ -135,7 +141,8 @@ std::vector<double> columnWidths(const Table &table, double width) {
 
 std::vector<Place> places(const Table &table, double width) {
     std::vector<Place> result;
-    const std::vector<double> widths = columnWidths(table, width);
+    const std::vector<double> fractions = fractionsOf(table);
+    const std::vector<double> widths = columnWidths(table, width, fractions);
     double x = 0;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const Column &column = table.columns[i];
@@ -145,7 +152,7 @@ std::vector<Place> places(const Table &table, double width) {
         place.left = x + padding;
         place.width = std::max(widths[i] - padding - cellPadding, 1.0);
         x += widths[i];
-        place.fraction = fractionOf(table, i);
+        place.fraction = fractions[i];
         result.push_back(place);
     }
     return result;
@@ -183,7 +190,7 @@ struct PrintedRow {
     std::vector<PlacedText> texts; ///< by column
     std::vector<Sign> signs;
     std::shared_ptr<const std::vector<CellTag>> cells = {}; ///< by column; null: no row of a table
-    const std::vector<Cell> *source = nullptr;              ///< that it was made of
+    const char *key = nullptr;                              ///< of the row, then those of its cells
     RowExtent extent = {};
 };
 
@@ -296,7 +303,7 @@ void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
             text->block.draw(painter, at + QPointF(text->x, static_cast<double>(text->line) * lineHeight),
                              text->alignment, text->width);
     };
-    const Tag tag(row.cells ? "/TR" : "/LI", row.source);
+    const Tag tag(row.cells ? "/TR" : "/LI", row.key);
     if (!row.cells) {
         const Tag body("/LBody");
         drawTexts(0);
@@ -305,7 +312,7 @@ void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
     for (std::size_t i = 0; i < row.cells->size(); ++i) {
         if ((*row.cells)[i].columns == 0)
             continue;
-        const Tag cell((*row.cells)[i], &(*row.source)[i]);
+        const Tag cell((*row.cells)[i], row.key + 1 + i);
         drawTexts(i);
     }
 }
@@ -315,7 +322,7 @@ PrintedRow lineOf(const PrintedRow &row, std::size_t index) {
     if (index == 0)
         result.signs = row.signs;
     result.cells = row.cells;
-    result.source = row.source;
+    result.key = row.key;
     for (const PlacedText &text : row.texts) {
         if (index >= text.line && index - text.line < text.block.lineCount())
             result.texts.push_back(
@@ -556,7 +563,7 @@ public:
     explicit CellTags(const Table &table)
         : m_headless(table.headless)
         , m_covered(table.columns.size()) {
-        if (table.rows.size() > mostRows) {
+        if (table.rowCount() > mostRows) {
             std::vector<CellTag> row(m_covered.size(), CellTag{0});
             row.back() = {static_cast<int>(m_covered.size())};
             m_ofRow = std::make_shared<const std::vector<CellTag>>(std::move(row));
@@ -596,7 +603,6 @@ private:
 
 PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::vector<Place> &columns) {
     PrintedRow row;
-    row.source = &cells;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const Cell &cell = cells[i];
         const Column &column = table.columns[i];
@@ -622,15 +628,18 @@ PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::
     return row;
 }
 
-/// What the rows of a table are made of.
+/// Makes the rows of a table.
 struct TableContent {
     std::shared_ptr<const Table> table;
     std::vector<Place> columns;
-    std::vector<std::shared_ptr<const std::vector<CellTag>>> cells; ///< by row
+    std::vector<std::shared_ptr<const std::vector<CellTag>>> cells = {}; ///< by row
+    std::vector<char> keys = {}; ///< one address for each row and cell, which tells them apart (Tag)
 
     [[nodiscard]] PrintedRow row(std::size_t index) const {
-        PrintedRow result = rowOf(*table, table->rows[index], columns);
+        PrintedRow result = table->withRow(
+            index, [this](const std::vector<Cell> &row) { return rowOf(*table, row, columns); });
         result.cells = cells[index];
+        result.key = keys.data() + index * (columns.size() + 1);
         return result;
     }
 };
@@ -653,7 +662,8 @@ RichText richText(const Phrase &phrase, bool bold) {
 
 Strips tableStrips(const std::shared_ptr<const Table> &shared, double width) {
     const Table &table = *shared;
-    const auto content = std::make_shared<TableContent>(TableContent{shared, places(table, width), {}});
+    const auto content = std::make_shared<TableContent>(TableContent{shared, places(table, width)});
+    content->keys.resize(table.rowCount() * (table.columns.size() + 1));
     Strips strips;
     std::shared_ptr<Strip> head;
     if (!table.headless) {
@@ -665,18 +675,18 @@ Strips tableStrips(const std::shared_ptr<const Table> &shared, double width) {
     }
     std::vector<RowExtent> rows;
     CellTags tags(table);
-    for (const auto &cells : table.rows) {
+    table.eachRow([&](const std::vector<Cell> &cells) {
         rows.push_back(rowOf(table, cells, content->columns).extent);
         content->cells.push_back(tags.of(cells));
-    }
+    });
     const double padding = table.narrow ? narrowPadding : rowPadding;
     const std::vector<double> below = roomBelow(rows, padding);
     std::size_t together = 0; // rows before this one stay with the next
-    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
         const auto isIn = [r](const std::vector<std::size_t> &rules) {
             return std::binary_search(rules.begin(), rules.end(), r);
         };
-        const bool last = r + 1 == table.rows.size();
+        const bool last = r + 1 == rows.size();
         const bool strong = isIn(table.strongRulesAfter);
         together = std::max(together, r + rows[r].beside);
         const std::size_t before = strips.size();
@@ -699,7 +709,7 @@ Strips tableStrips(const std::shared_ptr<const Table> &shared, double width) {
     double height = 0;
     for (const Strip &strip : strips)
         height += strip.height;
-    const bool isShort = table.rows.size() <= wholeRows && height <= tallestRow;
+    const bool isShort = rows.size() <= wholeRows && height <= tallestRow;
     keepTogether(strips, table.unbroken || isShort, !table.headless, leastRows);
     return strips;
 }

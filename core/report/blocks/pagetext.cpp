@@ -22,7 +22,7 @@ public:
     void operator()(const Table &table) {
         if (!table.headless)
             head(table);
-        for (const auto &row : table.rows) {
+        table.eachRow([this](const std::vector<Cell> &row) {
             QStringList texts;
             for (const Cell &cell : row) {
                 texts << (cell.isMissing() ? QString(dash) : cell.text.plain());
@@ -30,7 +30,7 @@ public:
                     texts << note.text;
             }
             cells(texts);
-        }
+        });
     }
     void operator()(const SideBySide &both) {
         for (const Part &part : both.left)

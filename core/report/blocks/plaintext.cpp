@@ -110,8 +110,11 @@ QString padded(const QString &text, int width, Alignment alignment) {
     return alignment == Alignment::left ? text + space : space + text;
 }
 
-/// Leaves out columns of pictures, which would be columns of dashes.
+/// Unpacks the rows, and leaves out columns of pictures, which would be columns of dashes.
 Table withoutPictures(Table table) {
+    for (std::size_t i = 0; i < table.packed.count(); ++i)
+        table.rows.push_back(table.packed.row(i));
+    table.packed = {};
     for (std::size_t i = table.columns.size(); i-- > 0;) {
         const auto any = [&](auto has) {
             return std::ranges::any_of(table.rows, [&](const std::vector<Cell> &row) { return has(row[i]); });

@@ -6,6 +6,7 @@
 #include "figures/figure.h"
 #include "kernel/evaluation/finding.h"
 #include "kernel/evaluation/parameter.h"
+#include "report/blocks/packedrows.h"
 
 #include <QByteArray>
 #include <QString>
@@ -203,7 +204,18 @@ struct Table {
     bool headless = false;
     bool narrow = false; ///< rows closer
     std::vector<QString> links =
-        {}; ///< anchors that the rows link to, one per row; empty if the rows have no links
+        {};                 ///< anchors that the rows link to, one per row; empty if the rows have no links
+    PackedRows packed = {}; ///< further rows, of tables too long for `rows`
+
+    [[nodiscard]] std::size_t rowCount() const { return rows.size() + packed.count(); }
+    /// Returns what `visit` makes of the cells of row `index`.
+    decltype(auto) withRow(std::size_t index, auto visit) const {
+        return index < rows.size() ? visit(rows[index]) : visit(packed.row(index - rows.size()));
+    }
+    void eachRow(auto visit) const {
+        for (std::size_t i = 0; i < rowCount(); ++i)
+            withRow(i, visit);
+    }
 
     bool operator==(const Table &) const = default;
 };

@@ -27,7 +27,15 @@ constexpr double readingPadding = 2;
 constexpr std::size_t mostRunsSideBySide = 7;
 constexpr std::size_t rowsOfAGroup = 5;
 constexpr double narrowestReading = 12;
-constexpr std::size_t mostRows = 2000; ///< of readings or targets printed by default
+constexpr std::size_t mostRows = 2000; ///< of readings or targets printed by default; more are packed
+
+/// Adds a row to a table that gets so many of them.
+void addRow(Table &table, std::size_t of, std::vector<Cell> row) {
+    if (of > mostRows)
+        table.packed.append(row);
+    else
+        table.rows.push_back(std::move(row));
+}
 
 Phrase indexed(const QString &base, const QString &index, const QString &after = {}) {
     std::vector<Span> spans{{base}, {index, true}};
@@ -53,7 +61,7 @@ Column positionColumn(const PositioningPart &part) {
 }
 
 void addGroupRules(Table &table) {
-    for (std::size_t row = rowsOfAGroup; row < table.rows.size(); row += rowsOfAGroup)
+    for (std::size_t row = rowsOfAGroup; row < table.rowCount(); row += rowsOfAGroup)
         table.rulesAfter.push_back(row - 1);
 }
 
@@ -134,8 +142,14 @@ public:
         const double gaps = directionsGap * (m_up.empty() || m_down.empty() ? 1 : 2);
         if (static_cast<double>(columns) * width > roomForReadings(m_part.measurement) - gaps)
             return false;
-        append(table, Direction::positive, 0, m_up.size());
-        append(table, Direction::negative, 0, m_down.size());
+        addColumns(table, Direction::positive, 0, m_up.size());
+        addColumns(table, Direction::negative, 0, m_down.size());
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+            for (const std::vector<const Run *> &shown : {m_up, m_down}) {
+                for (const Run *run : shown)
+                    table.rows[i].emplace_back(readingOf(*run, i));
+            }
+        }
         return true;
     }
 
@@ -148,8 +162,11 @@ public:
         std::vector<Table> result;
         if (sideBySide) {
             Table table = base();
-            append(table, Direction::positive, 0, m_up.size());
-            append(table, Direction::negative, 0, m_down.size());
+            addColumns(table, Direction::positive, 0, m_up.size());
+            addColumns(table, Direction::negative, 0, m_down.size());
+            std::vector<const Run *> shown = m_up;
+            shown.insert(shown.end(), m_down.begin(), m_down.end());
+            addRows(table, shown);
             result.push_back(std::move(table));
             return result;
         }
@@ -165,9 +182,12 @@ public:
             const std::size_t count = runs(direction).size();
             for (std::size_t first = 0; first < count; first += runsOfEach(direction)) {
                 Table table = base();
-                append(table, direction, first, std::min(runsOfEach(direction), count - first));
-                if (table.spanners.front().count < widest)
+                const std::size_t shown = std::min(runsOfEach(direction), count - first);
+                addColumns(table, direction, first, shown);
+                if (shown < widest)
                     setOnGrid(table, widest);
+                const auto from = runs(direction).begin() + static_cast<std::ptrdiff_t>(first);
+                addRows(table, {from, from + static_cast<std::ptrdiff_t>(shown)});
                 result.push_back(std::move(table));
             }
         }
@@ -196,16 +216,30 @@ private:
     [[nodiscard]] Table base() const {
         Table table;
         table.columns = {targetColumn(m_part), positionColumn(m_part)};
-        const auto &targets = m_part.measurement.targets;
-        for (std::size_t i = 0; i < targets.size(); ++i)
-            table.rows.push_back(
-                {QString::number(i + 1),
-                 m_part.write.language().number(targets[i], m_part.along(), m_positionDecimals)});
-        addGroupRules(table);
         return table;
     }
 
-    void append(Table &table, Direction direction, std::size_t first, std::size_t count) const {
+    /// The row of each target with its readings of these runs.
+    void addRows(Table &table, const std::vector<const Run *> &shown) const {
+        const auto &targets = m_part.measurement.targets;
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            std::vector<Cell> row{
+                QString::number(i + 1),
+                m_part.write.language().number(targets[i], m_part.along(), m_positionDecimals)};
+            for (const Run *run : shown)
+                row.emplace_back(readingOf(*run, i));
+            row.resize(table.columns.size(), blankCell());
+            addRow(table, targets.size(), std::move(row));
+        }
+        addGroupRules(table);
+    }
+
+    [[nodiscard]] QString readingOf(const Run &run, std::size_t target) const {
+        const auto &deviations = run.deviations;
+        return target < deviations.size() && deviations[target] ? reading(*deviations[target]) : QString();
+    }
+
+    void addColumns(Table &table, Direction direction, std::size_t first, std::size_t count) const {
         if (count == 0)
             return;
         const QString unit = m_part.write.language().unit(m_part.deviation());
@@ -222,10 +256,6 @@ private:
             if (j == first && table.columns.size() > 2)
                 column.gapBefore = directionsGap;
             table.columns.push_back(column);
-            const auto &deviations = runs(direction)[j]->deviations;
-            for (std::size_t i = 0; i < table.rows.size(); ++i)
-                table.rows[i].emplace_back(i < deviations.size() && deviations[i] ? reading(*deviations[i])
-                                                                                  : QString());
         }
     }
 
@@ -236,8 +266,6 @@ private:
                 column.width = roomForReadings(m_part.measurement) / static_cast<double>(columns);
         }
         table.columns.push_back(flexibleColumn(QString(), 0));
-        for (std::vector<Cell> &row : table.rows)
-            row.push_back(blankCell());
     }
 
     const PositioningPart &m_part;
@@ -344,7 +372,7 @@ QString targetNote(const PositioningPart &part) {
 
 } // namespace
 
-Table targetTable(const PositioningPart &part) {
+Table targetTable(const PositioningPart &part, bool mayBePacked) {
     const auto &targets = part.results.targets;
     const Writer &write = part.write;
     const Edition &edition = part.edition();
@@ -370,7 +398,7 @@ Table targetTable(const PositioningPart &part) {
             cell.bold = ruling.contains({id, static_cast<int>(i) + 1});
             row.push_back(std::move(cell));
         }
-        table.rows.push_back(std::move(row));
+        addRow(table, mayBePacked ? targets.size() : 0, std::move(row));
     }
     return table;
 }
@@ -378,7 +406,7 @@ Table targetTable(const PositioningPart &part) {
 namespace {
 
 Table groupedTargets(const PositioningPart &part) {
-    Table table = targetTable(part);
+    Table table = targetTable(part, true);
     addGroupRules(table);
     return table;
 }
@@ -392,7 +420,7 @@ Table inHalves(Table table) {
     constexpr std::size_t numberAndPosition = 2;
     const std::vector<Column> again = table.columns;
     const std::size_t columns = again.size();
-    const std::size_t count = table.rows.size();
+    const std::size_t count = table.rowCount();
     const double fixed = 2 * (again[0].width + again[1].width) + gap;
     const double room = (textWidth - fixed) / (2 * static_cast<double>(columns - numberAndPosition));
     if (count < fewest || count > most || room < narrowestReading)

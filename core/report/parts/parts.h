@@ -211,8 +211,9 @@ void addBudget(std::vector<Block> &blocks, const TestPart &part);
 /// where they differ. Only the numbers if the methods were explained for the test `before`.
 [[nodiscard]] QString methodText(const TestPart &part, std::optional<int> before = {});
 
-/// Statistics per target, one row each; values that rule a parameter of the axis are bold.
-[[nodiscard]] Table targetTable(const PositioningPart &part);
+/// Statistics per target, one row each; values that rule a parameter of the axis are bold. `mayBePacked`:
+/// more than 2 000 rows are.
+[[nodiscard]] Table targetTable(const PositioningPart &part, bool mayBePacked = false);
 
 /// Adds the statistics per target, with ruling values bold, and all readings as entered: in the same table if
 /// they fit, otherwise below it with both directions side by side, or ↑ above ↓ if these would be too narrow

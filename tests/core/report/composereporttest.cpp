@@ -441,7 +441,7 @@ private slots:
                     const auto *table = std::get_if<Table>(&block);
                     if (!table || table->columns[0].title.plain() != "i")
                         continue;
-                    (table->spanners.empty() ? rowsOfTargets : rowsOfReadings) += int(table->rows.size());
+                    (table->spanners.empty() ? rowsOfTargets : rowsOfReadings) += int(table->rowCount());
                 }
                 if (all) {
                     QCOMPARE(leftOut, 0);

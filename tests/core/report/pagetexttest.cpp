@@ -82,6 +82,28 @@ private slots:
         QCOMPARE(pageText(report), "a  b\nc\nd  e  see page 3.\na  b\nc\nd  e  see page –.\n");
     }
 
+    void packedRowsAreThoseThatWerePacked() {
+        Table table = smallTable();
+        table.rows = {{QString("1"), QString("−0.5"), boldCell(QString("漢"))},
+                      {QString("2"), QString(), blankCell()}};
+        Table packed = table;
+        packed.rows.clear();
+        for (const std::vector<Cell> &row : table.rows)
+            packed.packed.append(row);
+        QCOMPARE(packed.rowCount(), std::size_t(2));
+        for (std::size_t i = 0; i < table.rows.size(); ++i)
+            QVERIFY(packed.packed.row(i) == table.rows[i]);
+        QCOMPARE(pageText(Block(packed)), pageText(Block(table)));
+        Report report;
+        report.blocks = {table};
+        Report ofPacked;
+        ofPacked.blocks = {packed};
+        QCOMPARE(plainText(ofPacked, 80), plainText(report, 80));
+        packed.packed.append(table.rows[0]);
+        QVERIFY(packed.packed.row(2) == table.rows[0]);
+        QCOMPARE(PackedRows().count(), std::size_t(0));
+    }
+
     void rowsPrintThePageTheyLeadTo() {
         Table table;
         table.columns = {{QString("Test")}, {QString("Page")}};

@@ -91,6 +91,7 @@ QStringList tableHeads(const Report &report) {
         if (const auto *table = std::get_if<Table>(&block)) {
             Table head = *table;
             head.rows.clear();
+            head.packed = {};
             result << squeezed(pageText(Block(head)));
         }
     }
@@ -180,6 +181,7 @@ private slots:
     void logoIsPartOfTheHead();
     void isSoundForOtherReaders();
     void longReportsAreDrawnIntoAFile();
+    void packedRowsPrintAsOthers();
     void saysThatTheDeviceIsFull();
     void isArchivalWithItsData_data() { addStoredDocuments(); }
     void isArchivalWithItsData();
@@ -334,6 +336,26 @@ void WritePdf::longReportsAreDrawnIntoAFile() {
     const QByteArray inMemory = pdfOf(report);
     usual.isEmpty() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", usual);
     QCOMPARE(inMemory, pdf);
+}
+
+void WritePdf::packedRowsPrintAsOthers() {
+    Table table;
+    table.columns = {columnOf(u"i"_s, 20, Alignment::right), columnOf(u"x"_s, 30, Alignment::decimal),
+                     flexibleColumn(u"text"_s, 60)};
+    Table packed = table;
+    for (int i = 0; i < 2500; ++i) { // such long ones are told row by row
+        const std::vector<Cell> row{QString::number(i), boldCell(QString::number(i / 8.0)),
+                                    i % 3 == 0 ? blankCell()
+                                               : Cell(u"a text that needs two lines "_s.repeated(i % 4))};
+        table.rows.push_back(row);
+        packed.packed.append(row);
+    }
+    Report report = reportOf(storedDocument(u"one-direction"_s), Language::Id::french);
+    report.blocks = {table};
+    const QByteArray pdf = pdfOf(report);
+    report.blocks = {packed};
+    QCOMPARE(pdfOf(report), pdf);
+    QVERIFY(pageTexts(pdf).size() > 20);
 }
 
 void WritePdf::saysThatTheDeviceIsFull() {
