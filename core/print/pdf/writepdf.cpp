@@ -26,11 +26,27 @@ namespace {
 constexpr int dotsPerInch = 1200;
 constexpr std::size_t fewPages = 64;
 
+/// Remembers that the disk was full, which QPdfWriter does not ask.
+class FileOfPages : public QTemporaryFile {
+public:
+    [[nodiscard]] bool isComplete() { return flush() && !m_failed; }
+
+protected:
+    qint64 writeData(const char *bytes, qint64 size) override {
+        const qint64 written = QTemporaryFile::writeData(bytes, size);
+        m_failed = m_failed || written != size;
+        return written;
+    }
+
+private:
+    bool m_failed = false;
+};
+
 /// Where Qt draws so many pages: a few into memory, more into a file that nobody else can read and that is
 /// gone afterwards, for they would take more memory than all the rest.
 std::unique_ptr<QIODevice> placeFor(std::size_t pages) {
     if (pages > fewPages) {
-        auto file = std::make_unique<QTemporaryFile>();
+        auto file = std::make_unique<FileOfPages>();
         if (file->open())
             return file;
     }
@@ -84,8 +100,7 @@ DrawnPages drawPages(Report report, Tagging &tagging) {
         result.links.push_back(std::move(page.links));
     }
     painter.end();
-    if (const auto *file = qobject_cast<QFileDevice *>(result.pdf.get());
-        file && file->error() != QFileDevice::NoError)
+    if (auto *file = dynamic_cast<FileOfPages *>(result.pdf.get()); file && !file->isComplete())
         throwUnwritable();
     result.pdf->seek(0);
     page = {};

@@ -11,11 +11,14 @@
 #include <QColorSpace>
 #include <QGuiApplication>
 #include <QHashSeed>
+#include <csignal>
 #include <ctime>
+#include <optional>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFOutlineDocumentHelper.hh>
 #include <random>
 #include <set>
+#include <sys/resource.h>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -76,6 +79,17 @@ QString drawnText(const Block &block) {
             result += std::visit([](const auto &each) { return drawnText(Block(each)); }, part);
     }
     return result;
+}
+
+Report reportOfPages(int count) {
+    Report report = reportOf(storedDocument(u"one-direction"_s), Language::Id::french);
+    report.blocks.clear();
+    for (int i = 1; i <= count; ++i) {
+        report.blocks.emplace_back(Heading{2, u"Section %1"_s.arg(i)});
+        report.blocks.emplace_back(Paragraph{u"Page %1."_s.arg(i)});
+        report.blocks.emplace_back(PageBreak{});
+    }
+    return report;
 }
 
 QString expectedText(const Report &report) {
@@ -181,6 +195,7 @@ private slots:
     void logoIsPartOfTheHead();
     void isSoundForOtherReaders();
     void longReportsAreDrawnIntoAFile();
+    void saysThatThereIsNoRoomForThePages();
     void packedRowsPrintAsOthers();
     void saysThatTheDeviceIsFull();
     void isArchivalWithItsData_data() { addStoredDocuments(); }
@@ -314,13 +329,7 @@ void WritePdf::isSoundForOtherReaders() {
 /// More pages than are drawn in memory; without a place for the file they are drawn there all the same.
 void WritePdf::longReportsAreDrawnIntoAFile() {
     constexpr int count = 90;
-    Report report = reportOf(storedDocument(u"one-direction"_s), Language::Id::french);
-    report.blocks.clear();
-    for (int i = 1; i <= count; ++i) {
-        report.blocks.emplace_back(Heading{2, u"Section %1"_s.arg(i)});
-        report.blocks.emplace_back(Paragraph{u"Page %1."_s.arg(i)});
-        report.blocks.emplace_back(PageBreak{});
-    }
+    const Report report = reportOfPages(count);
     const QByteArray pdf = pdfOf(report);
     const QStringList pages = pageTexts(pdf);
     QCOMPARE(pages.size(), count);
@@ -336,6 +345,28 @@ void WritePdf::longReportsAreDrawnIntoAFile() {
     const QByteArray inMemory = pdfOf(report);
     usual.isEmpty() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", usual);
     QCOMPARE(inMemory, pdf);
+}
+
+/// While the pages are drawn; what is written would be a torso.
+void WritePdf::saysThatThereIsNoRoomForThePages() {
+    const auto usual = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit small = before;
+    small.rlim_cur = 20'000;
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    std::optional<Error::Kind> said;
+    try {
+        writePdf(reportOfPages(90), buffer);
+    } catch (const Error &error) {
+        said = error.kind;
+    }
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, usual);
+    QVERIFY(said == Error::Kind::unwritable);
+    QVERIFY(buffer.data().isEmpty());
 }
 
 void WritePdf::packedRowsPrintAsOthers() {
