@@ -274,9 +274,9 @@ bool finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to)
     attach(document, properties.attachments, properties.metadata.date);
     const std::vector<Handle> &pages = document.getAllPages();
     const std::vector<Handle> annotations = addLinks(document, pages, properties.links);
-    for (std::size_t i = 0; i < annotations.size(); ++i)
-        Handle(annotations[i])
-            .replaceKey("/StructParent", Handle::newInteger(static_cast<long long>(pages.size() + i)));
+    auto key = static_cast<long long>(pages.size());
+    for (Handle annotation : annotations)
+        annotation.replaceKey("/StructParent", Handle::newInteger(key++));
     addBookmarks(document, pages, properties.bookmarks);
     const Handle tree = document.makeIndirectObject(Handle::newDictionary());
     root.replaceKey("/StructTreeRoot", tree);

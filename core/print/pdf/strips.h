@@ -100,7 +100,7 @@ void levelColumns(SideBySide &both, double width, double tallest);
 /// the widest fraction of a column at the right edge. Text that is too wide for its column wraps; a row
 /// higher than half a page is split between its lines. The rows are made again when they are drawn, which
 /// takes less time than the memory of all.
-[[nodiscard]] Strips tableStrips(const std::shared_ptr<const Table> &table, double width);
+[[nodiscard]] Strips tableStrips(const std::shared_ptr<const Table> &shared, double width);
 
 /// Findings with mark, grade, sentence and clause.
 [[nodiscard]] Strips findingStrips(const FindingsBlock &findings, double width);

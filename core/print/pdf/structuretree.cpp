@@ -24,6 +24,19 @@ std::string reference(const Handle &object) {
     return reference(object.getObjectID());
 }
 
+/// The kids of an element as they are written.
+class Kids {
+public:
+    void add(const std::string &kid) { m_text += (m_count++ > 0 ? " " : "") + kid; }
+    [[nodiscard]] std::string entry() const {
+        return m_count == 0 ? std::string() : m_count == 1 ? " /K " + m_text : " /K [" + m_text + ']';
+    }
+
+private:
+    std::string m_text;
+    int m_count = 0;
+};
+
 /// All that is kept of an entry are a few numbers: there are a million of them.
 class StructureTree {
 public:
@@ -114,33 +127,33 @@ private:
         std::string text = "<< /S ";
         text += kind.type;
         text += " /P " + reference(entry == 0 ? m_root : m_numbers[m_structure.parent(entry)]);
-        std::optional<std::size_t> page; // where most of its contents are
-        std::string kids;
-        int count = 0;
-        for (; kid != 0; kid = next[kid]) {
-            if (!m_structure.isContent(kid)) {
-                if (m_numbers[kid] != unused)
-                    kids += (count++ > 0 ? " " : "") + reference(m_numbers[kid]);
-                continue;
-            }
-            for (int mark = m_numbers[kid]; mark != unused;
-                 mark = m_nextMarks[static_cast<std::size_t>(mark) - 1])
-                kids += (count++ > 0 ? " " : "") + contentOf(static_cast<std::size_t>(mark) - 1, page);
-        }
-        for (; m_link < m_links.size() && m_links[m_link].element < entry; ++m_link) {
-        }
+        std::optional<std::size_t> page; // that of its first content
+        Kids kids;
+        for (; kid != 0; kid = next[kid])
+            addKid(kids, kid, page);
+        while (m_link < m_links.size() && m_links[m_link].element < entry)
+            ++m_link;
         if (m_link < m_links.size() && m_links[m_link].element == entry)
-            kids += (count++ > 0 ? " " : "") + linkOf(m_link);
+            kids.add(linkOf(m_link));
         if (page)
             text += " /Pg " + reference(m_pages[*page]);
-        if (count > 0)
-            text += count == 1 ? " /K " + kids : " /K [" + kids + ']';
-        if (const TaggedFigure *figure =
-                kind.type == std::string_view("/Figure") ? m_structure.figure(entry) : nullptr)
-            text += figureEntries(*figure, page);
-        else
-            text += tableEntries(kind);
+        text += kids.entry();
+        const TaggedFigure *figure =
+            kind.type == std::string_view("/Figure") ? m_structure.figure(entry) : nullptr;
+        text += figure ? figureEntries(*figure, page) : tableEntries(kind);
         m_file.add(m_numbers[entry], text + " >>");
+    }
+
+    /// `page`: that of the element, where most of its contents are.
+    void addKid(Kids &kids, Index kid, std::optional<std::size_t> &page) const {
+        if (!m_structure.isContent(kid)) {
+            if (m_numbers[kid] != unused)
+                kids.add(reference(m_numbers[kid]));
+            return;
+        }
+        for (int mark = m_numbers[kid]; mark != unused;
+             mark = m_nextMarks[static_cast<std::size_t>(mark) - 1])
+            kids.add(contentOf(static_cast<std::size_t>(mark) - 1, page));
     }
 
     /// `page`: that of the element.

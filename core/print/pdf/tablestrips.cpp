@@ -83,6 +83,7 @@ std::vector<double> fractionsOf(const Table &table) {
     const double ofMark = textWidth(QStringLiteral(","), cellStyle);
     const double ofDigit = textWidth(QStringLiteral("0"), cellStyle);
     std::vector<double> result;
+    result.reserve(decimals.size());
     for (const qsizetype count : decimals)
         result.push_back(count < 0 ? 0 : ofMark + static_cast<double>(count) * ofDigit);
     return result;

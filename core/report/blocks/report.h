@@ -209,6 +209,7 @@ struct Table {
 
     [[nodiscard]] std::size_t rowCount() const { return rows.size() + packed.count(); }
     /// Returns what `visit` makes of the cells of row `index`.
+    // NOLINTNEXTLINE(modernize-use-nodiscard): may be nothing
     decltype(auto) withRow(std::size_t index, auto visit) const {
         return index < rows.size() ? visit(rows[index]) : visit(packed.row(index - rows.size()));
     }
