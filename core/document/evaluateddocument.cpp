@@ -23,7 +23,7 @@ namespace palmer {
 
 namespace {
 
-/// What tells the axis or plane of a test; null where it is not named, for it may be any, and for drift
+/// Identifies the axis or plane of a test; null where it is not named, for it may be any, and for drift
 /// tests.
 using PlaceKey = std::tuple<Kind, std::string, std::string, int>;
 

@@ -126,7 +126,7 @@ void TestsView::changeEvent(QEvent *event) {
         m_contents.clear();
 }
 
-/// Of the contents and of the heading.
+/// Width that the contents and the heading of a column need, px.
 int TestsView::neededWidth(int column) {
     const auto [known, isNew] = m_contents.try_emplace(column, 0);
     if (isNew)
