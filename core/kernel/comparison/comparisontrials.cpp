@@ -172,6 +172,25 @@ std::vector<double> ComparisonTrials::drawnOf(std::size_t side) const {
     return values;
 }
 
+/// Adds the residuals of the drawn cycles to the readings of a cycle.
+void ComparisonTrials::addResiduals(std::size_t side, std::size_t cycle, const Drawn &drawn,
+                                    std::vector<Lanes> &readings) const {
+    const auto n = static_cast<std::size_t>(m_cycles);
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+        if (!m_directions[direction])
+            continue;
+        const bool isSecond = direction == 1 && m_directions[0];
+        const std::size_t begin = isSecond ? n * m_targets : 0;
+        const double *const residuals = m_sides[side].drawn.data() + (isSecond ? pool() * m_targets : 0);
+        for (std::size_t target = 0; target < m_targets; ++target) {
+            std::array<double, Lanes::count> values{};
+            for (std::size_t lane = 0; lane < values.size(); ++lane)
+                values[lane] = residuals[drawn[lane] * m_targets + target];
+            readings[begin + cycle * m_targets + target] += Lanes::from(values);
+        }
+    }
+}
+
 void ComparisonTrials::perturb(long long first, int which, DrawnParts parts,
                                std::vector<Lanes> &readings) const {
     const auto side = static_cast<std::size_t>(which);
@@ -195,19 +214,7 @@ void ComparisonTrials::perturb(long long first, int which, DrawnParts parts,
         for (int lane = 0; lane < Lanes::count; ++lane)
             drawn[static_cast<std::size_t>(lane)] =
                 static_cast<std::size_t>((static_cast<std::uint64_t>(words[lane]) * pool()) >> 32U);
-        for (std::size_t direction = 0; direction < 2; ++direction) {
-            if (!m_directions[direction])
-                continue;
-            const bool isSecond = direction == 1 && m_directions[0];
-            const std::size_t begin = isSecond ? n * m_targets : 0;
-            const double *const residuals = test.drawn.data() + (isSecond ? pool() * m_targets : 0);
-            for (std::size_t target = 0; target < m_targets; ++target) {
-                std::array<double, Lanes::count> values{};
-                for (std::size_t lane = 0; lane < values.size(); ++lane)
-                    values[lane] = residuals[drawn[lane] * m_targets + target];
-                readings[begin + j * m_targets + target] += Lanes::from(values);
-            }
-        }
+        addResiduals(side, j, drawn, readings);
     }
 }
 

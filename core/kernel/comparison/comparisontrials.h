@@ -72,6 +72,8 @@ private:
     [[nodiscard]] double residual(std::size_t side, std::size_t place, std::size_t drawn) const;
     [[nodiscard]] std::vector<double> drawnOf(std::size_t side) const;
     [[nodiscard]] std::array<Lanes, 2> errorsOf(long long first, int which) const;
+    void addResiduals(std::size_t side, std::size_t cycle, const Drawn &drawn,
+                      std::vector<Lanes> &readings) const;
     void perturb(long long first, int which, DrawnParts parts, std::vector<Lanes> &readings) const;
     void runFour(long long first, DrawnParts parts, Buffers &buffers, std::span<double> differences) const;
     [[nodiscard]] bool isShared(SharedError error) const;
