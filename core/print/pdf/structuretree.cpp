@@ -133,7 +133,7 @@ private:
             addKid(kids, kid, page);
         while (m_link < m_links.size() && m_links[m_link].element < entry)
             ++m_link;
-        if (m_link < m_links.size() && m_links[m_link].element == entry)
+        for (; m_link < m_links.size() && m_links[m_link].element == entry; ++m_link)
             kids.add(linkOf(m_link));
         if (page)
             text += " /Pg " + reference(m_pages[*page]);
