@@ -329,7 +329,7 @@ public:
     }
 
 private:
-    /// Of two that are modal the upper one.
+    /// Closes the upper one first where two are modal.
     void timerEvent(QTimerEvent *) override {
         constexpr int looks = 8;
         QWidget *modal = QApplication::activeModalWidget();
