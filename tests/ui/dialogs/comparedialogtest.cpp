@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSet>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -211,6 +212,23 @@ private slots:
         QCOMPARE(dialog.findChild<QTableWidget *>("testTable")->columnCount(), 5);
     }
 
+    /// Of many tests with one name as many are preselected as a table shows, and each has a name of its own.
+    void manyTestsOfAnAxis() {
+        Document document;
+        for (int i = 0; i < 12; ++i)
+            document.tests.push_back(std::make_shared<const palmer::Test>(example1988("ISO 230-2:2006")));
+        CompareDialog dialog(evaluate(std::make_shared<const Document>(document)), 3);
+        const auto *list = dialog.findChild<QListWidget *>("testList");
+        QCOMPARE(list->count(), 12);
+        QSet<QString> names;
+        int chosen = 0;
+        for (int row = 0; row < list->count(); ++row) {
+            names << list->item(row)->text();
+            chosen += list->item(row)->checkState() == Qt::Checked ? 1 : 0;
+        }
+        QCOMPARE(names.size(), 12);
+        QCOMPARE(chosen, 9); // with the one in view
+    }
     void withoutTestNothingIsCompared() {
         CompareDialog dialog(evaluate(std::make_shared<Document>()), 0);
         QCOMPARE(dialog.findChild<QTableWidget *>("editionTable")->rowCount(), 0);
