@@ -99,7 +99,8 @@ private slots:
         QTest::newRow("a picture that is no base64")
             << file(R"("laboratory": {"logo": "?"})") << QByteArray("laboratory.logo");
         QTest::newRow("an unknown parameter")
-            << file(R"("kind": "positioning", "limits": {"Q": {"value": 1}})") << QByteArray("limits.Q");
+            << file(R"("kind": "positioning", "limits": {"none": {"value": 1}})")
+            << QByteArray("limits.none");
         QTest::newRow("a parameter of the other kind")
             << file(R"("kind": "positioning", "limits": {"G": {"value": 1}})") << QByteArray("limits.G");
         QTest::newRow("a condition that was measured")

@@ -175,9 +175,9 @@ Edition iso1988(const char *word) {
             .rows = rows1988,
             .targetTerms = targets1988,
             .textRead = TextRead::all,
-            .requirements = requirements1988(),
+            .requirements = demandsOf("ISO 230-2:1988").requirements,
             .resultsClause = "6.1, 6.2, 6.3",
-            .points = points1988(),
+            .points = demandsOf("ISO 230-2:1988").points,
             .pointsClause = "8"};
 }
 
@@ -190,8 +190,8 @@ Edition iso1997(const char *word) {
             .stepCycle = stepCycle2006,
             .rows = rows2006WithoutClauses,
             .targetTerms = targets2006WithoutClauses,
-            .requirements = requirements1997(),
-            .points = points1997()};
+            .requirements = demandsOf("ISO 230-2:1997").requirements,
+            .points = demandsOf("ISO 230-2:1997").points};
 }
 
 Edition iso2006() {
@@ -205,8 +205,8 @@ Edition iso2006() {
             .targetTerms = targets2006,
             .textRead = TextRead::part,
             .stepCycleByAgreement = true,
-            .requirements = requirements2006(),
-            .points = points1997()};
+            .requirements = demandsOf("ISO 230-2:2006").requirements,
+            .points = demandsOf("ISO 230-2:2006").points};
 }
 
 Edition aliasOf2006(const char *word) {
@@ -217,8 +217,8 @@ Edition aliasOf2006(const char *word) {
             .stepCycle = stepCycle2006,
             .rows = rows2006WithoutClauses,
             .targetTerms = targets2006WithoutClauses,
-            .requirements = requirements2014(),
-            .points = points1997()};
+            .requirements = demandsOf("ISO 230-2:2014").requirements,
+            .points = demandsOf("ISO 230-2:2014").points};
 }
 
 Edition iso2014(const char *word, bool isDefault, std::span<const Row> rows,
@@ -234,8 +234,8 @@ Edition iso2014(const char *word, bool isDefault, std::span<const Row> rows,
             .stepCycle = stepCycle2006,
             .rows = rows,
             .targetTerms = targetTerms,
-            .requirements = requirements2014(),
-            .points = points1997()};
+            .requirements = demandsOf("ISO 230-2:2014").requirements,
+            .points = demandsOf("ISO 230-2:2014").points};
 }
 
 Edition aliasOf2014(const char *word) {
@@ -251,7 +251,7 @@ Edition vdi3441() {
             .stepCycle = stepCycle2006,
             .rows = rowsVdi3441,
             .targetTerms = targetsVdi3441,
-            .requirements = requirementsVdi3441()};
+            .requirements = demandsOf("VDI/DGQ 3441:1977").requirements};
 }
 
 } // namespace

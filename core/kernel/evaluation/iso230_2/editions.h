@@ -5,22 +5,22 @@
 #include "kernel/evaluation/edition.h"
 
 #include <span>
+#include <string_view>
 
 namespace palmer::iso230_2 {
 
 /// Returns ISO 230-2 of 1988, 1997, 2006, 2014, VDI/DGQ 3441 and the national aliases.
 [[nodiscard]] std::span<const Edition> editions();
 
-// Requirements: one table per edition, rows in the order of the printed standard, then good laboratory
-// practice, then rows of the program itself.
-[[nodiscard]] std::span<const Requirement> requirements1988();
-[[nodiscard]] std::span<const Requirement> requirements1997(); ///< practice: as 2006 except uncertainty
-[[nodiscard]] std::span<const Requirement> requirements2006();
-[[nodiscard]] std::span<const Requirement> requirements2014();    ///< practice: as 2006
-[[nodiscard]] std::span<const Requirement> requirementsVdi3441(); ///< nothing of ISO
+/// The demands of the text of an edition. Requirements are in the order of the printed standard, followed by
+/// good laboratory practice and rows of the program itself.
+struct Demands {
+    std::string_view text; ///< word of the edition: "ISO 230-2:1988"
+    std::span<const Requirement> requirements;
+    std::span<const AgreementPoint> points = {};
+};
 
-// Points to be agreed.
-[[nodiscard]] std::span<const AgreementPoint> points1988();
-[[nodiscard]] std::span<const AgreementPoint> points1997(); ///< and later
+/// Returns the demands of a text. Precondition: requirements.cpp has a row for it.
+[[nodiscard]] const Demands &demandsOf(std::string_view text);
 
 } // namespace palmer::iso230_2

@@ -7,7 +7,9 @@
 #include "kernel/evaluation/laboratory.h"
 #include "kernel/words/characters.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <vector>
 
 namespace palmer::iso230_2 {
@@ -411,49 +413,45 @@ std::vector<Demand> practiceOf2006(std::initializer_list<std::string_view> witho
                   programRows, longRows});
 }
 
+std::vector<Demand> requirements1988() {
+    std::vector<Demand> instruments = table({laboratory::instrumentRows<PositioningCase>()});
+    for (Demand &row : instruments) { // for rotary axes the text itself asks for the instrument
+        if (row.id == std::string_view("instruments"))
+            row.applies = linear;
+    }
+    return table({text1988, laboratory::rows<PositioningCase>(), laboratoryRows, temperatureRows,
+                  choiceOfRotary, instruments, laboratory::checks<PositioningCase>(), programRows,
+                  longLinearRows, endRows, endUnknownRows, driftRows, moreThanFive1988});
+}
+
+std::vector<Demand> requirements2006() {
+    return table({text2006, laboratory::rows<PositioningCase>(), laboratoryRows,
+                  laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
+                  programRows, longRows, moreThanFive2006});
+}
+
+std::vector<Demand> requirementsVdi3441() {
+    return table({laboratory::rows<PositioningCase>(), laboratoryRows, temperatureRows, otherRows,
+                  laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
+                  programRows, vdiRows, driftRows});
+}
+
 } // namespace
 
-std::span<const Requirement> requirements1988() {
-    static const std::vector<Demand> rows = [] {
-        std::vector<Demand> instruments = table({laboratory::instrumentRows<PositioningCase>()});
-        for (Demand &row : instruments) { // for rotary axes the text itself asks for the instrument
-            if (row.id == std::string_view("instruments"))
-                row.applies = linear;
-        }
-        return table({text1988, laboratory::rows<PositioningCase>(), laboratoryRows, temperatureRows,
-                      choiceOfRotary, instruments, laboratory::checks<PositioningCase>(), programRows,
-                      longLinearRows, endRows, endUnknownRows, driftRows, moreThanFive1988});
-    }();
-    return rows;
-}
-std::span<const Requirement> requirements1997() {
-    static const std::vector<Demand> rows = practiceOf2006({"uncertainty"});
-    return rows;
-}
-std::span<const Requirement> requirements2006() {
-    static const std::vector<Demand> rows =
-        table({text2006, laboratory::rows<PositioningCase>(), laboratoryRows,
-               laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
-               programRows, longRows, moreThanFive2006});
-    return rows;
-}
-std::span<const Requirement> requirements2014() {
-    static const std::vector<Demand> rows = practiceOf2006({});
-    return rows;
-}
-std::span<const Requirement> requirementsVdi3441() {
-    static const std::vector<Demand> rows =
-        table({laboratory::rows<PositioningCase>(), laboratoryRows, temperatureRows, otherRows,
-               laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
-               programRows, vdiRows, driftRows});
-    return rows;
-}
-
-std::span<const AgreementPoint> points1988() {
-    return agreed1988;
-}
-std::span<const AgreementPoint> points1997() {
-    return agreed1997;
+const Demands &demandsOf(std::string_view text) {
+    static const std::vector<Demand> of1988 = requirements1988();
+    static const std::vector<Demand> of1997 = practiceOf2006({"uncertainty"});
+    static const std::vector<Demand> of2006 = requirements2006();
+    static const std::vector<Demand> of2014 = practiceOf2006({});
+    static const std::vector<Demand> ofVdi3441 = requirementsVdi3441();
+    static const std::array texts{
+        Demands{"ISO 230-2:1988", of1988, agreed1988}, Demands{"ISO 230-2:1997", of1997, agreed1997},
+        Demands{"ISO 230-2:2006", of2006, agreed1997}, Demands{"ISO 230-2:2014", of2014, agreed1997},
+        Demands{"VDI/DGQ 3441:1977", ofVdi3441}, // asks nothing of ISO
+    };
+    const auto found = std::ranges::find(texts, text, &Demands::text);
+    assert(found != texts.end());
+    return *found;
 }
 
 } // namespace palmer::iso230_2
