@@ -373,6 +373,7 @@ private:
     void statementsOnPages(const QString &page) {
         const auto &leftOut = document().report.leaveOut;
         const bool hasTables = std::ranges::find(leftOut, ReportPart::annex) == leftOut.end();
+        const std::set<std::string> tables{"targets", "channels", "temperatures"};
         const auto walk = [&](const auto &self, const Json &at, const std::string &place,
                               const std::string &key) -> void {
             if (at.is_string()) {
@@ -398,7 +399,7 @@ private:
                     violated("nothing lost", place + " " + at.dump());
             } else if (at.is_object()) {
                 for (const auto &[inner, below] : at.items()) {
-                    if (!drawn.contains(inner) && (hasTables || inner != "targets"))
+                    if (!drawn.contains(inner) && (hasTables || !tables.contains(inner)))
                         self(self, below, place + "." + inner, inner);
                 }
             } else if (at.is_array()) {
