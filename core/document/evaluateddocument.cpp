@@ -10,6 +10,7 @@
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/positioningcase.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/words/characters.h"
 
@@ -18,13 +19,13 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <type_traits>
 
 namespace palmer {
 
 namespace {
 
-/// Identifies the axis or plane of a test; null where it is not named, for it may be any, and for drift
-/// tests.
+/// Identifies the axis or plane of a judged test; null where it is not named, for it may be any.
 using PlaceKey = std::tuple<Kind, std::string, std::string, int>;
 
 std::optional<PlaceKey> placeOf(const PositioningMeasurement &measurement) {
@@ -37,7 +38,7 @@ std::optional<PlaceKey> placeOf(const CircularMeasurement &measurement) {
     const Plane &plane = measurement.plane;
     return PlaceKey{Kind::circular, plane.first, plane.second, static_cast<int>(measurement.source)};
 }
-std::optional<PlaceKey> placeOf(const DriftMeasurement & /*measurement*/) {
+std::optional<PlaceKey> placeOf(const Unjudged auto & /*measurement*/) {
     return std::nullopt;
 }
 
@@ -204,12 +205,8 @@ PositioningResults unknownResults(const PositioningMeasurement &measurement) {
     return results;
 }
 
-CircularResults unknownResults(const CircularMeasurement & /*measurement*/) {
-    return {};
-}
-
-DriftResults unknownResults(const DriftMeasurement & /*measurement*/) {
-    return {};
+auto unknownResults(const auto &measurement) {
+    return std::remove_cvref_t<decltype(resultsOf(measurement, TestEvaluation()))>();
 }
 
 TestEvaluation withoutResults(const Test &test, const Edition *edition) {

@@ -19,7 +19,7 @@ bool isSameSubject(const CircularMeasurement &a, const CircularMeasurement &b) {
     return a.plane == b.plane && a.source == b.source && a.nominalRadius == b.nominalRadius;
 }
 
-bool isSameSubject(const DriftMeasurement & /*a*/, const DriftMeasurement & /*b*/) {
+bool isSameSubject(const Unjudged auto & /*a*/, const Unjudged auto & /*b*/) {
     return false;
 }
 

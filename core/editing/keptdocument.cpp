@@ -27,7 +27,7 @@ void forEachColumn(AnyTest &test, Use use) {
                     use(arc.angles);
                     use(arc.radialDeviations);
                 }
-            } else {
+            } else if constexpr (requires { measurement.times; }) {
                 use(measurement.times);
                 use(measurement.deviations);
             }

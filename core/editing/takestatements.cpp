@@ -141,7 +141,7 @@ void fill(CircularMeasurement &measurement, const CircularMeasurement &like) {
         measurement.referenceLength = like.referenceLength;
 }
 
-void fill(DriftMeasurement & /*measurement*/, const DriftMeasurement & /*like*/) {}
+void fill(Unjudged auto & /*measurement*/, const Unjudged auto & /*like*/) {}
 
 } // namespace
 

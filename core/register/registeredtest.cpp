@@ -308,8 +308,7 @@ void describe(RegisteredTest &result, const CircularMeasurement &c, const Circul
                            c.conditions.common, c.arcs, &Arc::sense);
 }
 
-void describe(RegisteredTest & /*result*/, const DriftMeasurement & /*drift*/,
-              const DriftResults & /*results*/) {}
+void describe(RegisteredTest & /*result*/, const Unjudged auto & /*measurement*/, const auto & /*results*/) {}
 
 RegisteredResult resultOf(const Parameter &parameter, const DecisionRule &rule,
                           std::optional<double> resolution) {

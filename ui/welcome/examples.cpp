@@ -64,7 +64,7 @@ QString words(const CircularMeasurement &measurement, const Test &test) {
              windowLanguage().number(static_cast<double>(readingsOf(test)), Quantity::count, 0));
 }
 
-QString words(const DriftMeasurement & /*measurement*/, const Test &test) {
+QString words(const Unjudged auto & /*measurement*/, const Test &test) {
     return QString::fromStdString(test.edition);
 }
 

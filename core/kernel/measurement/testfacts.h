@@ -27,6 +27,13 @@ template <class Value, class Alternatives, class Take>
         ofKinds);
 }
 
+/// Kinds that no edition judges have no conditions. What only judged kinds have needs one overload for all
+/// others.
+template <class Measurement>
+concept Unjudged = !requires(Measurement & measurement) {
+    measurement.conditions;
+};
+
 /// Properties of a kind of test.
 struct KindOfTest {
     bool isJudged = false;   ///< has an edition, points to agree and limits
