@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "kernel/measurement/readingplace.h"
+#include "kernel/measurement/positioning.h"
 
 #include <functional>
 #include <optional>

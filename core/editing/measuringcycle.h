@@ -3,7 +3,6 @@
 #pragma once
 
 #include "kernel/measurement/positioning.h"
-#include "kernel/measurement/readingplace.h"
 
 #include <optional>
 

@@ -4,7 +4,6 @@
 
 #include "editing/pastedtable.h"
 #include "kernel/measurement/positioning.h"
-#include "kernel/measurement/readingplace.h"
 #include "kernel/words/message.h"
 #include "language/units.h"
 #include "tables/choice.h"

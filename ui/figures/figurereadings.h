@@ -4,7 +4,6 @@
 
 #include "figures/figure.h"
 #include "kernel/measurement/positioning.h"
-#include "kernel/measurement/readingplace.h"
 
 #include <array>
 #include <cstddef>

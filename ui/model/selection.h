@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernel/measurement/readingplace.h"
+#include "kernel/measurement/positioning.h"
 #include "ui/model/page.h"
 
 #include <QObject>

@@ -6,6 +6,7 @@
 #include "kernel/measurement/conditions.h"
 #include "kernel/measurement/uncertaintyinputs.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,18 @@ struct RefusedReading {
     std::string text; ///< as typed, UTF-8
 
     bool operator==(const RefusedReading &) const = default;
+};
+
+/// Position of a reading in a positioning test: zero-based indices of run and target.
+struct ReadingPlace {
+    std::size_t run = 0;
+    std::size_t target = 0;
+
+    bool operator==(const ReadingPlace &) const = default;
+    /// Orders by run, then by target.
+    friend bool operator<(const ReadingPlace &a, const ReadingPlace &b) {
+        return a.run != b.run ? a.run < b.run : a.target < b.target;
+    }
 };
 
 /// A positioning test as measured (ISO 230-2): the axis, the targets and the runs in chronological order.

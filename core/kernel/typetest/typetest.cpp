@@ -4,6 +4,8 @@
 
 #include "kernel/numerics/normalquantile.h"
 
+#include <boost/math/distributions/non_central_t.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -52,6 +54,12 @@ std::optional<Normality> normalityOf(std::span<const double> sorted) {
 }
 
 } // namespace
+
+double toleranceFactor(std::size_t count, const Tolerance &tolerance) {
+    const auto n = static_cast<double>(count);
+    const boost::math::non_central_t distribution(n - 1, normalQuantile(tolerance.content) * std::sqrt(n));
+    return boost::math::quantile(distribution, tolerance.confidence) / std::sqrt(n);
+}
 
 double normalScore(std::size_t index, std::size_t count) {
     return normalQuantile((static_cast<double>(index) + 1 - 0.375) / (static_cast<double>(count) + 0.25));
