@@ -11,7 +11,6 @@
 #include "report/words/agreedtext.h"
 #include "ui/chip.h"
 #include "ui/errorbox.h"
-#include "ui/forms/agreedvalue.h"
 #include "ui/forms/form.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
@@ -39,6 +38,29 @@ constexpr int valueWidth = 132;
 constexpr int headHeight = 30; ///< a row is 70 px high: its head, a field and the gaps
 
 constexpr const char *agreedPointsContext = "palmer::ui::AgreedPointsPage";
+
+/// Setting the number agreed for a point declares the point agreed.
+void setAgreedValue(Test &test, const char *point, const std::optional<double> &value) {
+    const AgreedPoint *before = agreedPoint(test, point);
+    if (value || before)
+        setAgreedPoint(test, point, value ? AgreementState::agreed : before->state,
+                       before ? before->text : std::string());
+    for (AgreedPoint &agreed : test.agreedPoints) {
+        if (agreed.point == point)
+            agreed.value = value;
+    }
+}
+
+/// The quantity of a point's number in this test; null for points agreed only in words.
+std::optional<Quantity> agreedQuantity(std::string_view point, const Test &test) {
+    if (!isJudged(test) || !axisOf(test))
+        return std::nullopt;
+    if (point == "gradient")
+        return Quantity::gradient;
+    if (point == "feed")
+        return feedQuantity(test);
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -206,7 +228,9 @@ Field *AgreedPointsPage::makeValue(const AgreementPoint &point, Quantity quantit
         const auto value = enteredNumber(field->valueText(), quantity, m_language.units()).value;
         m_model.edit(
             changeOf(agreedPointsContext, QT_TR_NOOP("Number of an agreement")).constData(),
-            [&](Document &document) { agreedValue(name).write(document, m_test, value); },
+            [&](Document &document) {
+                editTest(document, m_test, [&](Test &test) { setAgreedValue(test, name, value); });
+            },
             QStringLiteral("agreedValue/%1/%2/%3").arg(QString::fromLatin1(name)).arg(m_test).arg(m_visit));
     });
     return field;
