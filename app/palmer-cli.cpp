@@ -4,8 +4,7 @@
 #include "commandline/help.h"
 #include "commandline/streams.h"
 #include "commandline/terminal.h"
-#include "languageoflocale.h"
-#include "ownfonts.h"
+#include "environment.h"
 #include "system/process.h"
 #include "system/streams.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "windowoptions.h"
 
-#include "ownfonts.h"
+#include "environment.h"
 #include "system/memory.h"
 #include "system/process.h"
 #include "ui/application.h"

@@ -3,7 +3,7 @@
 #include "windowoptions.h"
 
 #include "commandline/terminal.h"
-#include "languageoflocale.h"
+#include "environment.h"
 #include "manualpage.h"
 #include "report/blocks/plaintext.h"
 #include "system/process.h"
