@@ -360,7 +360,7 @@ private slots:
         QSKIP("the sanitizer reserves more memory than any limit lets it");
 #endif
         QFETCH(const QByteArray, words);
-        for (const int mebibytes : {1000, 700, 500, 350, 250}) {
+        for (const int mebibytes : {700, 400, 250}) {
             QProcess process;
             const QByteArray line =
                 "ulimit -v " + QByteArray::number(mebibytes * 1024) + "; exec " PALMER_CLI " " + words;

@@ -304,6 +304,8 @@ void OptionEffectTest::everyOptionHasAnEffectOrIsRefused() {
     QVERIFY2(base.code <= 1, base.said);
     QCOMPARE(outcome(words), base); // else nothing could be seen
     for (const OptionRow &option : m_options[words.front()]) {
+        if (unseen.contains(option.name))
+            continue;
         QStringList values = valuesOf(option.name);
         if (option.value.contains('|') && !option.value.front().isUpper())
             values = option.value.split('|');
@@ -330,8 +332,7 @@ void OptionEffectTest::everyOptionHasAnEffectOrIsRefused() {
             without.removeOne(option.name);
             hasEffect = outcome(without) != base;
         }
-        QVERIFY2(hasEffect || isRefused || unseen.contains(option.name),
-                 qPrintable(option.name + " does nothing: " + words.join(' ')));
+        QVERIFY2(hasEffect || isRefused, qPrintable(option.name + " does nothing: " + words.join(' ')));
     }
 }
 

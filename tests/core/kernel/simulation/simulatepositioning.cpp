@@ -450,7 +450,8 @@ void SimulatePositioning::seedsDiffer() {
 }
 
 void SimulatePositioning::adaptiveIsStable() {
-    Test test = example1988("ISO 230-2:2006");
+    Test test =
+        positioningTest("ISO 230-2:2006", {0, 500, 1000}, {{0, 3, 5}, {1, 2, 6}}, {{2, 4, 9}, {1, 6, 8}});
     stateX1(measurement(test));
     const Simulation result = simulated(test, std::nullopt);
     QVERIFY(result.stable);
