@@ -826,6 +826,10 @@
         <translation>le fichier dépasse 1&#x202f;Gio</translation>
     </message>
     <message>
+        <source>a PDF of more than 4 GB cannot be written; choose less for the report, or divide its tests among several files</source>
+        <translation>un PDF de plus de 4&#x202f;Go ne peut pas être écrit&#xa0;: choisir moins de contenu pour le rapport, ou répartir ses essais sur plusieurs fichiers</translation>
+    </message>
+    <message>
         <source>bi-directional</source>
         <translation>bidirectionnel</translation>
     </message>

@@ -54,7 +54,7 @@ PdfParts pdfParts(const char *bytes, std::size_t size, std::int64_t most, bool &
     return formats(Error::Kind::unreadable).pdfParts(bytes, size, most, exceeded);
 }
 
-bool finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to) {
+FinishedPdf finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to) {
     return formats(Error::Kind::unwritable).finishPdf(drawn, properties, to);
 }
 

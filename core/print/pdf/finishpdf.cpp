@@ -258,7 +258,7 @@ void writeObjects(PdfFile &file, QPDF &document, std::set<QPDFObjGen> written) {
 
 } // namespace
 
-bool finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to) {
+FinishedPdf finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to) try {
     QPDF document;
     document.setSuppressWarnings(true);
     document.processInputSource(std::make_shared<DeviceSource>(drawn));
@@ -296,7 +296,11 @@ bool finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to)
     }
     writeObjects(file, document, std::move(written));
     writeStructure(file, tree.getObjectID(), properties, contents, pages, annotations);
-    return file.end("/Root " + root.unparse() + " /Info " + document.getTrailer().getKey("/Info").unparse());
+    const std::string information = document.getTrailer().getKey("/Info").unparse();
+    return file.end("/Root " + root.unparse() + " /Info " + information) ? FinishedPdf::complete
+                                                                         : FinishedPdf::refused;
+} catch (const PdfTooLarge &) {
+    return FinishedPdf::tooLarge;
 }
 
 } // namespace palmer

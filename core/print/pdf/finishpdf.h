@@ -65,11 +65,14 @@ struct PdfProperties {
         palmer::pack; ///< the program's: libqpdf is loaded without libdeflate
 };
 
+/// Outcome of finishPdf().
+enum class FinishedPdf { complete, refused, tooLarge };
+
 /// Copies a PDF that Qt wrote without anything that depends on the clock or machine, and adds the properties:
 /// the same pages and properties give the same bytes. With an output intent in `drawn` the result is a
 /// PDF/A-3a and a PDF/UA-1. Page after page and object after object are read and written, so that little
-/// memory is needed. Returns false if `to` does not accept all bytes. Throws std::runtime_error if `drawn`,
-/// which can be read anywhere, is no PDF.
-[[nodiscard]] bool finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to);
+/// memory is needed. Returns `refused` if `to` does not accept all bytes, `tooLarge` for more than 4 GB.
+/// Throws std::runtime_error if `drawn`, which can be read anywhere, is no PDF.
+[[nodiscard]] FinishedPdf finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to);
 
 } // namespace palmer

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <concepts>
 #include <limits>
-#include <stdexcept>
 
 namespace palmer {
 
@@ -36,7 +35,7 @@ PdfFile::PdfFile(QIODevice &device, QByteArray (*pack)(const QByteArray &), int 
 
 void PdfFile::write(std::string_view bytes) {
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max() - m_size)
-        throw std::runtime_error("a PDF of more than 4 GB");
+        throw PdfTooLarge();
     const QByteArrayView view(bytes.data(), static_cast<qsizetype>(bytes.size()));
     m_hash.addData(view);
     m_failed = m_failed || m_device.write(view.data(), view.size()) != view.size();

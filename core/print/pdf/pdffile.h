@@ -6,11 +6,18 @@
 #include <QCryptographicHash>
 #include <QIODevice>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace palmer {
+
+/// A PDF has no room for more than 4 GB: its list of objects keeps places of four bytes.
+struct PdfTooLarge : std::length_error {
+    PdfTooLarge()
+        : std::length_error("a PDF of more than 4 GB") {}
+};
 
 /// Writes the objects of a PDF one by one (ISO 32000-1, 7.5): libqpdf writes only what it holds in memory, a
 /// kilobyte each, and a long report has a million of them. Of each object its place is kept, eight bytes.
@@ -21,6 +28,8 @@ public:
 
     /// A number for an object that is yet to be written.
     [[nodiscard]] int newNumber() { return m_next++; }
+
+    // Each throws PdfTooLarge where the file would get too large.
 
     /// Writes an object that is no stream.
     void add(int number, std::string_view object);

@@ -62,6 +62,13 @@ std::unique_ptr<QIODevice> placeFor(std::size_t pages) {
                              "there before is unchanged: save it under another name or in another folder")});
 }
 
+[[noreturn]] void throwTooLarge() {
+    throw Error(
+        Error::Kind::unwritable,
+        {REPORT_TEXT("report", "a PDF of more than 4 GB cannot be written; choose less for the report, "
+                               "or divide its tests among several files")});
+}
+
 /// The pages as Qt draws them, and what else is written of each.
 struct DrawnPages {
     std::unique_ptr<QIODevice> pdf;
@@ -181,7 +188,10 @@ void writePdf(Report report, QIODevice &device, const std::vector<PdfAttachment>
     const DrawnPages pages = drawPages(std::move(report), tagging);
     properties.structure = tagging.takeStructure();
     addNavigation(properties, pages, tagging.links());
-    if (!finishPdf(*pages.pdf, properties, device))
+    const FinishedPdf finished = finishPdf(*pages.pdf, properties, device);
+    if (finished == FinishedPdf::tooLarge)
+        throwTooLarge();
+    if (finished == FinishedPdf::refused)
         throwUnwritable();
 }
 

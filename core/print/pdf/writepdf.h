@@ -14,7 +14,7 @@ namespace palmer {
 /// language, bookmarks and links; its test file, the `results` (of attachedResults) and the `certificate` (of
 /// dcc; both may be empty) as associated files. The same report gives the same bytes at any time, place and
 /// locale, provided QHashSeed::setDeterministicGlobalSeed() was called before the QApplication. Throws
-/// Error(unwritable) if the device does not accept all bytes.
+/// Error(unwritable) if the device does not accept all bytes or the PDF would have more than 4 GB.
 void writePdf(Report report, QIODevice &device, const QByteArray &results = {},
               const QByteArray &certificate = {});
 

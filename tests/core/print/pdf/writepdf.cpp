@@ -6,6 +6,7 @@
 #include "export/resultsjson.h"
 #include "print/figures/exportfigure.h"
 #include "print/pdf/pages.h"
+#include "print/pdf/pdffile.h"
 #include "report/blocks/pagetext.h"
 
 #include <QColorSpace>
@@ -18,6 +19,7 @@
 #include <qpdf/QPDFOutlineDocumentHelper.hh>
 #include <random>
 #include <set>
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 using namespace palmer;
@@ -197,6 +199,7 @@ private slots:
     void longReportsAreDrawnIntoAFile();
     void saysThatThereIsNoRoomForThePages();
     void packedRowsPrintAsOthers();
+    void moreThanFourGigabytesAreRefused();
     void saysThatTheDeviceIsFull();
     void isArchivalWithItsData_data() { addStoredDocuments(); }
     void isArchivalWithItsData();
@@ -387,6 +390,18 @@ void WritePdf::packedRowsPrintAsOthers() {
     report.blocks = {packed};
     QCOMPARE(pdfOf(report), pdf);
     QVERIFY(pageTexts(pdf).size() > 20);
+}
+
+/// The memory is never read.
+void WritePdf::moreThanFourGigabytesAreRefused() {
+    constexpr std::size_t size = std::size_t(1) << 32U;
+    void *const room = ::mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    QVERIFY(room != MAP_FAILED);
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    PdfFile file(buffer, pack, 2);
+    QVERIFY_EXCEPTION_THROWN(file.addStream(1, {}, {static_cast<const char *>(room), size}), PdfTooLarge);
+    ::munmap(room, size);
 }
 
 void WritePdf::saysThatTheDeviceIsFull() {
