@@ -138,9 +138,17 @@ void addDiagnosisOf(std::vector<Block> &blocks, const TestPart &part) {
 void thinFigures(std::vector<Block> &blocks) {
     for (Block &each : blocks) {
         auto *block = std::get_if<FigureBlock>(&each);
-        const auto *figure = block ? std::get_if<CurveFigure>(&block->figure) : nullptr;
+        const auto *figure = block ? std::get_if<CurveFigure>(&*block->figure) : nullptr;
         if (figure && !isOrdinary(*figure))
             block->figure = thinned(*figure);
+    }
+}
+
+/// Packs the tables from block `first` on: those of a thousand tests would take most of the memory.
+void packTables(std::vector<Block> &blocks, std::size_t first) {
+    for (std::size_t i = first; i < blocks.size(); ++i) {
+        if (auto *table = std::get_if<Table>(&blocks[i]); table && table->links.empty())
+            packRows(*table);
     }
 }
 
@@ -249,7 +257,9 @@ void addCertificates(std::vector<Block> &blocks, const std::vector<TestPart> &pa
             return;
         blocks.emplace_back(PageBreak{});
         blocks.emplace_back(runningHead(part));
+        const std::size_t first = blocks.size();
         withKind(part, [&](const auto &own) { addFirstPage(blocks, own); });
+        packTables(blocks, first);
     }
     // Precedes the break because the page has no head of its own.
     blocks.emplace_back(RunningHead{QString::fromStdString(head.laboratory.name), reportTitle(write, head)});
@@ -282,6 +292,7 @@ void addAnnexes(std::vector<Block> &blocks, const std::vector<TestPart> &parts, 
         const std::size_t first = blocks.size();
         const RunningHead running = runningHead(part);
         addAnnex(blocks, part);
+        packTables(blocks, first);
         const std::size_t ofTest = blocks.size();
         addDiagnosisOf(blocks, part);
         if (blocks.size() > ofTest)

@@ -181,13 +181,13 @@ void ThermalPage::fill(RowTable &table, const Table &content) {
             const bool number =
                 content.columns[static_cast<std::size_t>(column)].alignment != Alignment::left;
             auto *item =
-                table.setCell(row, column, cell.text.plain(), number && cell.columns == 1, cell.bold);
+                table.setCell(row, column, cell.text.plain(), number && cell.extras->columns == 1, cell.bold);
             if (!number)
                 item->setToolTip(cell.text.plain()); // a narrow window elides it
-            if (cell.bar)
-                item->setData(RowTable::barRole, *cell.bar);
-            if (cell.columns > 1)
-                table.setSpan(row, column, 1, static_cast<int>(cell.columns));
+            if (cell.extras->bar)
+                item->setData(RowTable::barRole, *cell.extras->bar);
+            if (cell.extras->columns > 1)
+                table.setSpan(row, column, 1, static_cast<int>(cell.extras->columns));
         }
     }
 }

@@ -146,8 +146,9 @@ QVariant SheetModel::data(const QModelIndex &index, int role) const {
         return QVariant::fromValue(token(open ? Token::unsure : mark.colour, QPalette()));
     }
     case guardRole:
-        return column == picture && m_pictures[row].guard ? QVariant::fromValue(*m_pictures[row].guard)
-                                                          : QVariant();
+        return column == picture && m_pictures[row].extras->guard
+                   ? QVariant::fromValue(*m_pictures[row].extras->guard)
+                   : QVariant();
     case iconRole: {
         const QString icon = verdictMark(verdictOfRow(m_results[row].state)).icon;
         return column == verdict && !icon.isEmpty() ? QVariant(icon) : QVariant();

@@ -803,8 +803,7 @@ public:
     }
     Strips operator()(const TestHead &head) const { return testHeadStrips(head, m_width, m_tallest); }
     Strips operator()(const FigureBlock &figure) const {
-        const auto content = std::make_shared<Figure>(figure.figure);
-        const auto drawOf = [content, width = figure.width * mm](double height) {
+        const auto drawOf = [content = figure.figure, width = figure.width * mm](double height) {
             return [content, size = QSizeF(width, height)](QPainter &painter, QPointF at) {
                 const Tag tag(painter, QRectF(at, size), *content);
                 drawFigure(painter, QRectF(at, size), *content, Medium::paper);
@@ -812,7 +811,7 @@ public:
         };
         const double height = figure.height * mm;
         Strip result = strip(height, drawOf(height));
-        const auto *circle = std::get_if<CircleFigure>(&figure.figure);
+        const auto *circle = std::get_if<CircleFigure>(&*figure.figure);
         const double readable = std::max(figure.least, circle ? leastHeight(*circle) : 0) * mm;
         result.least = std::min(height, readable);
         result.drawOf = drawOf;
@@ -952,7 +951,11 @@ bool isSoftBreak(const std::vector<BlockWith<AnyStrip>> &blocks, std::size_t pag
 
 template <class AnyStrip>
 std::vector<AnyStrip> withGaps(const std::vector<BlockWith<AnyStrip>> &blocks) {
+    std::size_t count = 0;
+    for (const BlockWith<AnyStrip> &each : blocks)
+        count += each.strips.size();
     std::vector<AnyStrip> result;
+    result.reserve(count);
     const Block *above = nullptr;
     bool titled = false; // below the title of a test among several
     for (std::size_t i = 0; i < blocks.size(); ++i) {

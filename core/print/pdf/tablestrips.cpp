@@ -95,7 +95,7 @@ double neededWidth(const Table &table, std::size_t column, double fraction) {
     double widest = spread ? 0 : TextBlock(richText(table.columns[column].title, true), cellStyle).width();
     table.eachRow([&](const std::vector<Cell> &row) {
         const Cell &cell = row[column];
-        if (cell.columns > 1)
+        if (cell.extras->columns > 1)
             return;
         const double before = cell.mark == Mark::none ? 0 : markWidth;
         widest = std::max(widest, before + TextBlock(richText(cell.text, cell.bold), cellStyle).width());
@@ -229,13 +229,16 @@ PlacedText narrowText(const Cell &cell, const Place &place, double room) {
 
 /// Adds what a cell has in place of a text; returns false if it has a text.
 bool addPicture(PrintedRow &row, const Cell &cell, const Place &place, const QColor &ink) {
-    if (cell.guard)
-        row.signs.push_back({Mark::none, cell.guard, place.left, {}, false, ink});
-    else if (cell.whisker)
-        row.signs.push_back({Mark::none, {}, place.left, {}, false, ink, 0, cell.whisker});
-    else if (cell.bar)
-        row.signs.push_back(
-            {Mark::none, {}, place.left, std::clamp(*cell.bar, 0.0, 1.0) * place.width, cell.hollow});
+    if (cell.extras->guard)
+        row.signs.push_back({Mark::none, cell.extras->guard, place.left, {}, false, ink});
+    else if (cell.extras->whisker)
+        row.signs.push_back({Mark::none, {}, place.left, {}, false, ink, 0, cell.extras->whisker});
+    else if (cell.extras->bar)
+        row.signs.push_back({Mark::none,
+                             {},
+                             place.left,
+                             std::clamp(*cell.extras->bar, 0.0, 1.0) * place.width,
+                             cell.extras->hollow});
     else
         return false;
     return true;
@@ -262,7 +265,7 @@ void addCell(PrintedRow &row, const Cell &cell, const Column &column, const Plac
     }
     std::size_t lines = placed.block.lineCount();
     row.texts.push_back(std::move(placed));
-    for (const CellNote &note : cell.notes) {
+    for (const CellNote &note : cell.extras->notes) {
         const TextStyle small{noteSize, false, cell.pale ? paleGrey : noteGrey,
                               textSize * cellStyle.leading / noteSize};
         const double before = note.mark == Mark::none ? 0 : markWidth;
@@ -274,8 +277,8 @@ void addCell(PrintedRow &row, const Cell &cell, const Column &column, const Plac
         lines += below.block.lineCount();
         row.texts.push_back(std::move(below));
     }
-    if (cell.rows > 1) {
-        row.extent.beside = std::max(row.extent.beside, cell.rows);
+    if (cell.extras->rows > 1) {
+        row.extent.beside = std::max(row.extent.beside, cell.extras->rows);
         row.extent.besideLines = std::max(row.extent.besideLines, lines);
     } else {
         row.extent.lines = std::max(row.extent.lines, lines);
@@ -585,8 +588,9 @@ public:
                 row.push_back({0});
                 continue;
             }
-            const int columns = std::min(static_cast<int>(cells[i].columns), count - static_cast<int>(i));
-            const int rows = static_cast<int>(cells[i].rows);
+            const int columns =
+                std::min(static_cast<int>(cells[i].extras->columns), count - static_cast<int>(i));
+            const int rows = static_cast<int>(cells[i].extras->rows);
             row.push_back({columns, rows, m_headless && i == 0 ? "/Row" : nullptr});
             m_covered[i] = rows - 1;
             spanned = columns - 1;
@@ -619,8 +623,9 @@ PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::
             continue;
         }
         Place place = columns[i];
-        if (cell.columns > 1)
-            place.width = columns[std::min(i + cell.columns, columns.size()) - 1].right() - place.left;
+        if (cell.extras->columns > 1)
+            place.width =
+                columns[std::min(i + cell.extras->columns, columns.size()) - 1].right() - place.left;
         const std::size_t before = row.texts.size();
         addCell(row, cell, column, place);
         for (std::size_t k = before; k < row.texts.size(); ++k)

@@ -5,6 +5,7 @@
 #include "report/blocks/report.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace palmer {
 
@@ -31,6 +32,23 @@ std::vector<Cell> PackedRows::row(std::size_t index) const {
             result.emplace_back(m_text.mid(begin, m_cells[i].end - begin)).bold = m_cells[i].bold != 0;
     }
     return result;
+}
+
+void PackedRows::squeeze() {
+    m_text.squeeze();
+    m_cells.shrink_to_fit();
+}
+
+void packRows(Table &table) {
+    PackedRows packed = table.packed;
+    for (const std::vector<Cell> &row : table.rows) {
+        packed.append(row);
+        if (packed.row(packed.count() - 1) != row)
+            return;
+    }
+    packed.squeeze();
+    table.packed = std::move(packed);
+    table.rows = {};
 }
 
 } // namespace palmer

@@ -20,6 +20,8 @@ public:
 
     [[nodiscard]] std::size_t count() const { return m_columns == 0 ? 0 : m_cells.size() / m_columns; }
     [[nodiscard]] std::vector<Cell> row(std::size_t index) const;
+    /// Gives up memory kept for further rows.
+    void squeeze();
 
     bool operator==(const PackedRows &) const = default;
 

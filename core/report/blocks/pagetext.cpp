@@ -26,7 +26,7 @@ public:
             QStringList texts;
             for (const Cell &cell : row) {
                 texts << (cell.isMissing() ? QString(dash) : cell.text.plain());
-                for (const CellNote &note : cell.notes)
+                for (const CellNote &note : cell.extras->notes)
                     texts << note.text;
             }
             cells(texts);
@@ -52,7 +52,7 @@ public:
         (*this)(head.right);
     }
     void operator()(const FigureBlock &block) {
-        std::visit([this](const auto &figure) { words(figure); }, block.figure);
+        std::visit([this](const auto &figure) { words(figure); }, *block.figure);
     }
     void operator()(const ResultsLegend &legend) {
         QStringList texts;

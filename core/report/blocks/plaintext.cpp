@@ -119,8 +119,9 @@ Table withoutPictures(Table table) {
         const auto any = [&](auto has) {
             return std::ranges::any_of(table.rows, [&](const std::vector<Cell> &row) { return has(row[i]); });
         };
-        if (any([](const Cell &cell) { return !cell.text.plain().isEmpty(); }) ||
-            !any([](const Cell &cell) { return cell.guard || cell.whisker || cell.bar; }))
+        if (any([](const Cell &cell) { return !cell.text.plain().isEmpty(); }) || !any([](const Cell &cell) {
+                return cell.extras->guard || cell.extras->whisker || cell.extras->bar;
+            }))
             continue;
         const auto at = static_cast<std::ptrdiff_t>(i);
         table.columns.erase(table.columns.begin() + at);

@@ -25,8 +25,8 @@ Mark markOf(Grade grade) {
 }
 
 bool Cell::isMissing() const {
-    return !blank && mark == Mark::none && !guard && !whisker && !bar && text.plain().isEmpty() &&
-           notes.empty();
+    return !blank && mark == Mark::none && !extras->guard && !extras->whisker && !extras->bar &&
+           text.plain().isEmpty() && extras->notes.empty();
 }
 
 Cell blankCell() {

@@ -11,8 +11,11 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <concepts>
 #include <map>
+#include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -89,20 +92,57 @@ struct CellNote {
     bool operator==(const CellNote &) const = default;
 };
 
-/// A table cell. Without text, mark and picture it prints a thin dash, unless it is blank.
-struct Cell {
-    Phrase text;
-    bool bold = false;
-    bool blank = false;     ///< prints nothing, not even a dash
-    Mark mark = Mark::none; ///< before the text
+/// A value in memory of its own, for what is large or rare: the default value takes none. Copies share it
+/// until one of them changes.
+template <class T>
+class Boxed {
+public:
+    Boxed() = default;
+    template <class Value>
+    requires(std::constructible_from<T, Value> && !std::same_as<std::remove_cvref_t<Value>, Boxed>) Boxed(
+        Value &&value) // NOLINT(google-explicit-constructor,*-forwarding-reference-overload): is the value
+        : m_value(std::make_shared<T>(std::forward<Value>(value))) {}
+
+    [[nodiscard]] const T &operator*() const {
+        static const T usual{};
+        return m_value ? *m_value : usual;
+    }
+    [[nodiscard]] const T *operator->() const { return &**this; }
+    /// The value, to be changed at once.
+    [[nodiscard]] T &edit() {
+        if (!m_value || m_value.use_count() > 1)
+            m_value = std::make_shared<T>(**this);
+        return *m_value;
+    }
+
+    bool operator==(const Boxed &other) const { return m_value == other.m_value || **this == *other; }
+
+private:
+    std::shared_ptr<T> m_value;
+};
+
+/// Properties that few cells have.
+struct CellExtras {
     std::optional<Guard> guard = {};
     std::optional<Whisker> whisker = {};
     std::optional<double> bar = {}; ///< a bar from the left, fraction of the column width, 0 … 1
     bool hollow = false;            ///< draw only the outline of the bar
-    bool pale = false;              ///< grey, including mark and picture: for information only
     std::size_t rows = 1;           ///< number of rows it spans; these stay together
     std::size_t columns = 1;        ///< number of columns it spans; the other cells are blank
     std::vector<CellNote> notes = {};
+
+    bool operator==(const CellExtras &) const = default;
+};
+
+/// A table cell. Without text, mark and picture it prints a thin dash, unless it is blank. Small, as a report
+/// of a thousand tests has a hundred thousand of them.
+struct Cell {
+    Phrase text;
+    Mark mark = Mark::none; ///< before the text
+    bool bold = false;
+    bool blank = false; ///< prints nothing, not even a dash
+    bool pale = false;  ///< grey, including mark and picture: for information only
+    Boxed<CellExtras> extras = {};
 
     Cell() = default;
     Cell(Phrase phrase) // NOLINT(google-explicit-constructor): most cells are a phrase
@@ -205,7 +245,7 @@ struct Table {
     bool narrow = false; ///< rows closer
     std::vector<QString> links =
         {};                 ///< anchors that the rows link to, one per row; empty if the rows have no links
-    PackedRows packed = {}; ///< further rows, of tables too long for `rows`
+    PackedRows packed = {}; ///< further rows, of long tables and of reports with many tests
 
     [[nodiscard]] std::size_t rowCount() const { return rows.size() + packed.count(); }
     /// Returns what `visit` makes of the cells of row `index`.
@@ -221,9 +261,12 @@ struct Table {
     bool operator==(const Table &) const = default;
 };
 
+/// Packs the rows of a table, unless one of them has a cell that is not plain.
+void packRows(Table &table);
+
 /// A figure; its caption is the heading above it.
 struct FigureBlock {
-    Figure figure;
+    Boxed<Figure> figure;
     double width = 175;
     double height = 86;
     double least = 65; ///< height that it may shrink to

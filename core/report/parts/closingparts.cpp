@@ -118,7 +118,7 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
         Instrument traced; // the calibration stands in its columns
         traced.traceability = instruments[i].traceability;
         if (traced.traceability != Traceability())
-            table.rows[i].front().notes.push_back({traceabilityText(write, traced)});
+            table.rows[i].front().extras.edit().notes.push_back({traceabilityText(write, traced)});
     }
     addHeading(blocks, write.text(REPORT_TEXT("report", "Traceability of the instruments")));
     blocks.emplace_back(std::move(table));

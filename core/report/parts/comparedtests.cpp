@@ -84,7 +84,7 @@ Table parameterTable(const TestComparison &comparison, const PlacedTest &before,
         Cell picture = blankCell();
         if (row.picture) {
             picture.blank = false;
-            picture.whisker = row.picture;
+            picture.extras.edit().whisker = row.picture;
         }
         table.rows.push_back({boldCell(row.symbol), nameInTable(write, parameter.term.name), row.before,
                               row.after, boldCell(row.difference), row.uncertainty, row.enRatio, picture,

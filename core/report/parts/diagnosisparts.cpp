@@ -153,8 +153,8 @@ Table sourcesTable(const Writer &write, const std::vector<DiagnosisRow> &rows, c
         Cell bar = blankCell();
         if (row.contribution && !isCircle) {
             bar = Cell();
-            bar.bar = *row.contribution * micrometres / end * barWidth / (barColumn - 2);
-            bar.hollow = !traced;
+            bar.extras.edit().bar = *row.contribution * micrometres / end * barWidth / (barColumn - 2);
+            bar.extras.edit().hollow = !traced;
         } else {
             number = blankCell();
         }

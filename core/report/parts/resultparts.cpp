@@ -227,7 +227,7 @@ Table resultTable(const TestPart &part, const ResultForm &form, std::vector<Prin
         std::vector<Cell> row(table.columns.size(), blankCell());
         row.front() =
             Phrase({{part.write.text(REPORT_TEXT("report", "No limit agreed")), false, false, true}});
-        row.front().columns = table.columns.size();
+        row.front().extras.edit().columns = table.columns.size();
         table.rows.insert(table.rows.begin() + static_cast<std::ptrdiff_t>(limited), std::move(row));
         std::erase_if(table.rulesAfter, [&](std::size_t after) { return after < limited; });
         for (std::size_t &after : table.rulesAfter)
@@ -306,8 +306,8 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultFor
     if (form.setUpInF && std::ranges::any_of(parameters, holdsSetUp))
         addLine(QStringLiteral("†\u00A0") +
                 write.text(REPORT_TEXT("report", "about the centre of the set-up: with the set-up error")));
-    const bool pictures =
-        std::ranges::any_of(parameters, [](const Parameter &p) { return guardCell(p).guard.has_value(); });
+    const bool pictures = std::ranges::any_of(
+        parameters, [](const Parameter &p) { return guardCell(p).extras->guard.has_value(); });
     if (!pictures)
         return;
     ResultsLegend legend;
@@ -573,7 +573,8 @@ Cell guardCell(const Parameter &parameter) {
     if (limit <= 0)
         return cell;
     cell.blank = false;
-    cell.guard = Guard{limit, judgedValue(*parameter.value, parameter.bound), parameter.guardBand};
+    cell.extras.edit().guard =
+        Guard{limit, judgedValue(*parameter.value, parameter.bound), parameter.guardBand};
     return cell;
 }
 

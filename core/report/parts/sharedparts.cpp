@@ -69,7 +69,7 @@ public:
                 if (&statement == &subject.statements.front()) {
                     row = subject.key;
                     for (Cell &cell : row)
-                        cell.rows = subject.statements.size();
+                        cell.extras.edit().rows = subject.statements.size();
                 }
                 row.emplace_back(testNumbers(m_write, statement.tests, m_count));
                 row.insert(row.end(), statement.cells.begin(), statement.cells.end());
@@ -463,7 +463,7 @@ private:
             m_table.rows.back().insert(m_table.rows.back().begin(), blankCell());
         }
         Cell number(QString::number(test));
-        number.rows = table.rows.size();
+        number.extras.edit().rows = table.rows.size();
         m_table.rows[first].front() = std::move(number);
     }
 

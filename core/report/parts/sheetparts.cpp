@@ -159,7 +159,7 @@ Cell sheetPicture(const SheetResult &result) {
         return cell;
     const Bound bound = result.parameter ? result.parameter->bound : Bound::magnitude;
     cell.blank = false;
-    cell.guard = Guard{*limit, judgedValue(*result.value, bound), result.guardBand};
+    cell.extras.edit().guard = Guard{*limit, judgedValue(*result.value, bound), result.guardBand};
     return cell;
 }
 
@@ -228,10 +228,10 @@ Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart>
                  true});
         for (const std::string *note : {&row.standard, &row.remark, &row.notApplicable}) {
             if (!note->empty())
-                object.notes.push_back({QString::fromStdString(*note)});
+                object.extras.edit().notes.push_back({QString::fromStdString(*note)});
         }
         if (!words.reason.isEmpty())
-            object.notes.push_back({words.reason});
+            object.extras.edit().notes.push_back({words.reason});
         Cell verdict(words.state);
         verdict.mark = markOf(result.state);
         verdict.bold = result.state == SheetState::doesNotConform;
@@ -324,9 +324,10 @@ void addSheet(std::vector<Block> &blocks, const EvaluatedDocument &evaluated,
                write.text(REPORT_TEXT("report", "verdict based on unrounded values")));
     Table table = sheetTable(evaluated, parts, write);
     const bool pictures = std::ranges::any_of(
-        table.rows, [](const std::vector<Cell> &row) { return row[7].guard.has_value(); });
-    const bool bands = std::ranges::any_of(
-        table.rows, [](const std::vector<Cell> &row) { return row[7].guard && row[7].guard->guardBand; });
+        table.rows, [](const std::vector<Cell> &row) { return row[7].extras->guard.has_value(); });
+    const bool bands = std::ranges::any_of(table.rows, [](const std::vector<Cell> &row) {
+        return row[7].extras->guard && row[7].extras->guard->guardBand;
+    });
     if (!pictures)
         leaveOutEmptyColumns(table, 7, 7);
     leaveOutEmptyColumns(table, 6, 6);

@@ -67,14 +67,15 @@ Cell testCell(const TestPart &part, bool pale) {
     Cell cell = boldCell(joined({briefTestName(part), role.empty() ? QString() : part.write.text(role)}));
     cell.pale = pale;
     if (!part.test.title.empty())
-        cell.notes.push_back({QString::fromStdString(part.test.title)});
+        cell.extras.edit().notes.push_back({QString::fromStdString(part.test.title)});
     const QString date = part.test.date && !part.test.date->empty()
                              ? part.write.language().shortDate(*part.test.date)
                              : QString();
-    cell.notes.push_back({joined({date, QString::fromUtf8(part.edition().word)}, QStringLiteral(" · "))});
-    cell.notes.push_back(accordanceNote(part));
+    cell.extras.edit().notes.push_back(
+        {joined({date, QString::fromUtf8(part.edition().word)}, QStringLiteral(" · "))});
+    cell.extras.edit().notes.push_back(accordanceNote(part));
     if (pale)
-        cell.notes.push_back(
+        cell.extras.edit().notes.push_back(
             {part.write.text(REPORT_TEXT("report", "for information, not part of the verdict"))});
     return cell;
 }
@@ -186,7 +187,7 @@ private:
         Cell number(QString::number(part.number));
         Cell test = testCell(part, pale);
         number.pale = pale;
-        number.rows = test.rows = m_table.rows.size() - first;
+        number.extras.edit().rows = test.extras.edit().rows = m_table.rows.size() - first;
         m_table.rows[first][0] = number;
         m_table.rows[first][1] = test;
         const bool last = index + 1 == m_parts.size();
@@ -248,7 +249,7 @@ private:
         cells[2] = Cell(m_write.text(hasLimits(part.test.limits)
                                          ? REPORT_TEXT("report", "The limits agreed do not hold: no verdict.")
                                          : REPORT_TEXT("report", "no limit agreed")));
-        cells[2].columns = cells.size() - 3;
+        cells[2].extras.edit().columns = cells.size() - 3;
         cells.back() = Cell();
         addRow(part, std::move(cells), pale);
     }
@@ -261,7 +262,7 @@ private:
         cells[1] = Cell(
             Phrase({{m_write.text(REPORT_TEXT("report", "Adjustment:")) + u' ', false, false, false, true},
                     {QString::fromStdString(part.head().adjustments)}}));
-        cells[1].columns = m_table.columns.size() - 1;
+        cells[1].extras.edit().columns = m_table.columns.size() - 1;
         m_table.rows.push_back(std::move(cells));
         m_table.links.emplace_back();
     }

@@ -153,10 +153,10 @@ Table inHalf(Table table) {
     for (std::vector<Cell> &row : table.rows) {
         const auto put = [&row](std::size_t cell, std::size_t note) {
             if (const QString text = row[note].text.plain(); !text.isEmpty())
-                row[cell].notes.push_back({text});
+                row[cell].extras.edit().notes.push_back({text});
         };
-        if (const bool isRefused = row[temperature].columns > 1; isRefused) {
-            row[temperature].columns = half.columns.size() - 1;
+        if (const bool isRefused = row[temperature].extras->columns > 1; isRefused) {
+            row[temperature].extras.edit().columns = half.columns.size() - 1;
             half.rows.push_back({std::move(row[channel]), std::move(row[temperature])});
             half.rows.back().resize(half.columns.size(), blankCell());
             continue;
@@ -300,7 +300,7 @@ Table responseTable(const DriftMeasurement &drift, const std::vector<ThermalChan
                            language.semicolon().replace(u';', u':') +
                            language.text(noResponseText(one.responses[i].state));
             Cell words(why.join(language.semicolon()));
-            words.columns = table.columns.size() - 1;
+            words.extras.edit().columns = table.columns.size() - 1;
             std::vector<Cell> row{boldCell(name), std::move(words)};
             row.resize(table.columns.size(), blankCell());
             table.rows.push_back(std::move(row));
@@ -348,8 +348,8 @@ Table driftCaseTable(const DriftCases &cases, bool angular, const Language &lang
         Cell bar = blankCell();
         if (const double size = one.expanded.front().value_or(0); largest > 0 && size <= largest) {
             bar.blank = false;
-            bar.bar = size / largest;
-            bar.hollow = one.kind != DriftCase::asTested;
+            bar.extras.edit().bar = size / largest;
+            bar.extras.edit().hollow = one.kind != DriftCase::asTested;
         }
         std::vector<Cell> row{caseName(one, language), shown(one.variation),
                               one.share ? language.number(*one.share * percent, Quantity::number, 0)

@@ -70,7 +70,7 @@ Table contributionTable(const TestPart &part) {
         Cell bar = blankCell();
         if (largest > 0) {
             bar.blank = false;
-            bar.bar = contribution->expanded.value_or(0) / end;
+            bar.extras.edit().bar = contribution->expanded.value_or(0) / end;
         }
         table.rows.push_back(
             {nameOf(write, *contribution),

@@ -545,7 +545,7 @@ private slots:
             if (!figure)
                 continue;
             ++figures;
-            const auto &curves = std::get<CurveFigure>(figure->figure);
+            const auto &curves = std::get<CurveFigure>(*figure->figure);
             QVERIFY(curves.readings.size() <= 4000);
             for (const Curve &curve : curves.curves)
                 QVERIFY(curve.points.size() <= 8000);
@@ -590,12 +590,11 @@ private slots:
             }
             QVERIFY2(width <= textWidth + 1e-9, qPrintable(QString::number(width)));
             QVERIFY(titles > 0 || table.headless);
-            QVERIFY(!table.rows.empty());
-            for (const auto &row : table.rows)
-                QCOMPARE(row.size(), table.columns.size());
+            QVERIFY(table.rowCount() > 0);
+            table.eachRow([&](const std::vector<Cell> &row) { QCOMPARE(row.size(), table.columns.size()); });
             QVERIFY(std::ranges::is_sorted(table.rulesAfter));
             for (const std::size_t row : table.rulesAfter)
-                QVERIFY(row + 1 < table.rows.size());
+                QVERIFY(row + 1 < table.rowCount());
         }
     }
 
@@ -675,7 +674,7 @@ private slots:
         QCOMPARE(blocksOf<VerdictLine>(composed)[1].word, "DOES NOT CONFORM");
         const Cell information = blocksOf<Table>(composed)[0].rows[0][1];
         QVERIFY(information.pale);
-        QCOMPARE(information.notes.back().text, "for information, not part of the verdict");
+        QCOMPARE(information.extras->notes.back().text, "for information, not part of the verdict");
         // They count where all tests are spoken of.
         auto found = std::make_shared<Document>(*evaluated(asFound, asLeft));
         Test incomplete = *found->tests[0];
@@ -716,12 +715,12 @@ private slots:
                 QCOMPARE(row[2].text.plain() + row[4].text.plain() + row[5].text.plain() +
                              row[6].text.plain() + row[8].text.plain(),
                          limited[static_cast<qsizetype>(i % 4)]);
-                QVERIFY(row[7].guard.has_value());
+                QVERIFY(row[7].extras->guard.has_value());
                 QCOMPARE(row[4].pale, i < 3);
                 QCOMPARE(row[4].bold, i > 3);
                 QCOMPARE(summary.links[i], QString(i < 3 ? "test-1" : "test-2"));
             }
-            QCOMPARE(summary.rows[0][1].rows, std::size_t(3));
+            QCOMPARE(summary.rows[0][1].extras->rows, std::size_t(3));
             QVERIFY(summary.columns[9].pages);
         }
     }
@@ -909,9 +908,9 @@ private slots:
                 row << cell.text.plain();
             for (const char *stated : {"55", "C-1", "Institute"})
                 QVERIFY2(row.contains(stated), qPrintable(row.join("; ")));
-            QCOMPARE(instruments->rows[0].front().notes.front().text, first);
-            QCOMPARE(instruments->rows[1].front().notes.front().text, second);
-            QVERIFY(instruments->rows[2].front().notes.empty());
+            QCOMPARE(instruments->rows[0].front().extras->notes.front().text, first);
+            QCOMPARE(instruments->rows[1].front().extras->notes.front().text, second);
+            QVERIFY(instruments->rows[2].front().extras->notes.empty());
         }
     }
 
@@ -932,7 +931,7 @@ private slots:
                 report(std::make_shared<const Document>(changed), Language(Language::Id::english));
             int count = 0;
             for (const FigureBlock &block : blocksOf<FigureBlock>(composed)) {
-                const auto *figure = std::get_if<CurveFigure>(&block.figure);
+                const auto *figure = std::get_if<CurveFigure>(&*block.figure);
                 count += figure && !figure->curves.empty() && figure->curves[0].role == CurveRole::drift;
             }
             return count;
@@ -950,7 +949,8 @@ private slots:
         const Language english(Language::Id::english);
         const auto figureOf = [&](const Document &document) {
             return std::get<CurveFigure>(
-                blocksOf<FigureBlock>(report(std::make_shared<const Document>(document), english))[0].figure);
+                *blocksOf<FigureBlock>(report(std::make_shared<const Document>(document), english))[0]
+                     .figure);
         };
         changed.report.include = {};
         QVERIFY(figureOf(changed).readings.empty());
@@ -985,9 +985,9 @@ private slots:
             for (const auto &row : table.rows) {
                 if (row.size() != 8 || row[0].text.plain() != "R")
                     continue;
-                QVERIFY(row[6].guard.has_value());
-                QCOMPARE(row[6].guard->limit, 0.007);
-                QCOMPARE(*row[6].guard->guardBand, 0.00279);
+                QVERIFY(row[6].extras->guard.has_value());
+                QCOMPARE(row[6].extras->guard->limit, 0.007);
+                QCOMPARE(*row[6].extras->guard->guardBand, 0.00279);
                 QVERIFY(row[7].mark == Mark::cross && row[7].bold);
                 QVERIFY(row[3].bold);
                 return;

@@ -113,9 +113,9 @@ private slots:
         QVERIFY(text(0, 7).startsWith("X travels farther than Y"));
         QVERIFY(text(0, 7).contains("Compare the scales"));
         // 9 µm stands on a scale of 10 µm; those that are traced are full and come first.
-        QVERIFY(std::abs(*table->rows[0][6].bar - 0.9 * 18 / 18.5) < 0.01);
-        QVERIFY(!table->rows[0][6].hollow && table->rows[0][1].bold);
-        const auto isHollow = [](const std::vector<Cell> &row) { return row[6].hollow; };
+        QVERIFY(std::abs(*table->rows[0][6].extras->bar - 0.9 * 18 / 18.5) < 0.01);
+        QVERIFY(!table->rows[0][6].extras->hollow && table->rows[0][1].bold);
+        const auto isHollow = [](const std::vector<Cell> &row) { return row[6].extras->hollow; };
         QVERIFY(isHollow(table->rows.back()));
         QVERIFY(std::ranges::is_sorted(table->rows, {}, isHollow));
         for (const auto &row : table->rows)

@@ -31,7 +31,7 @@ Report reportOf(const Document &document) {
 const LineFigure *curveIn(const Report &report) {
     for (const Block &block : report.blocks) {
         if (const auto *figure = std::get_if<FigureBlock>(&block)) {
-            if (const auto *lines = std::get_if<LineFigure>(&figure->figure))
+            if (const auto *lines = std::get_if<LineFigure>(&*figure->figure))
                 return lines;
         }
     }

@@ -134,6 +134,32 @@ private slots:
         QVERIFY(!smallTable().rows[0][2].isMissing());
     }
 
+    void plainRowsArePackedAndOthersStay() {
+        Table plain = smallTable();
+        plain.rows = {{QString("1"), QString("−0.5"), boldCell(QString("x"))},
+                      {QString("2"), QString(), blankCell()}};
+        Table packed = plain;
+        packRows(packed);
+        QVERIFY(packed.rows.empty());
+        QCOMPARE(packed.rowCount(), std::size_t(2));
+        QVERIFY(packed.packed.row(0) == plain.rows[0] && packed.packed.row(1) == plain.rows[1]);
+        QCOMPARE(pageText(Block(packed)), pageText(Block(plain)));
+        Table marked = smallTable();
+        packRows(marked);
+        QVERIFY(marked == smallTable());
+    }
+
+    void copiesOfACellKeepWhatTheyHad() {
+        Cell cell(QString("1"));
+        cell.extras.edit().rows = 2;
+        const Cell copy = cell;
+        QVERIFY(copy == cell);
+        cell.extras.edit().notes.push_back({"note"});
+        QVERIFY(copy.extras->notes.empty());
+        QVERIFY(copy != cell);
+        QVERIFY(Cell(QString("1")).extras == Boxed<CellExtras>(CellExtras()));
+    }
+
     void theFooterCarriesSixteenDigits() {
         QCOMPARE(shortFingerprint("3fdaeacdfdd0ed05aaaa"), "3fda eacd fdd0 ed05");
         // SHA-256 of "abc", FIPS 180-2, B.1

@@ -77,7 +77,7 @@ void PlainTextTest::leavesOutPictures() {
     Table table;
     table.columns = {{QString("A")}, {QString("± U")}, {QString("U")}};
     Cell picture;
-    picture.whisker = Whisker();
+    picture.extras.edit().whisker = Whisker();
     table.rows = {{QString("1"), picture, QString()}, {QString("2"), blankCell(), QString()}};
     QCOMPARE(plainText({{table}}), QString("━━━━\n"
                                            "A  U\n"

@@ -149,7 +149,7 @@ QStringList faultsOf(const FigureBlock &block) {
         const QRectF area(QPointF(0, 0), QSizeF(block.width, height) * mm);
         TextRecorder recorder(area.size().toSize() + QSize(1, 1));
         QPainter painter(&recorder);
-        drawFigure(painter, area, block.figure, Medium::paper);
+        drawFigure(painter, area, *block.figure, Medium::paper);
         painter.end();
         QStringList texts;
         for (std::size_t i = 0; i < recorder.texts.size(); ++i) {
@@ -168,14 +168,14 @@ QStringList faultsOf(const FigureBlock &block) {
             if (!text.isEmpty() && !texts.contains(text))
                 faults << u"not drawn: "_s + text;
         };
-        if (const auto *circle = std::get_if<CircleFigure>(&block.figure)) {
+        if (const auto *circle = std::get_if<CircleFigure>(&*block.figure)) {
             for (const CircleLegendEntry &entry : circle->legend)
                 needs(entry.text);
             for (const SenseArrow &arrow : circle->arrows)
                 needs(arrow.index);
             if (circle->envelope && circle->envelope->limit)
                 needs(circle->envelope->limitLabel);
-        } else if (const auto *curve = std::get_if<CurveFigure>(&block.figure)) {
+        } else if (const auto *curve = std::get_if<CurveFigure>(&*block.figure)) {
             for (const Dimension &dimension : curve->dimensions)
                 needs(dimension.limit ? dimension.limitText : QString());
         }
@@ -226,7 +226,7 @@ QStringList faultsOfBlocks(const Report &report) {
     eachOf<Table>(report, [&](const Table &table) { faults << faultsOf(table); });
     QMap<QString, QSet<double>> magnifications; // of the senses of each subject
     eachOf<FigureBlock>(report, [&](const FigureBlock &block) {
-        const auto *circle = std::get_if<CircleFigure>(&block.figure);
+        const auto *circle = std::get_if<CircleFigure>(&*block.figure);
         if (circle && circle->traces.size() == 1 && circle->envelope)
             magnifications[circle->envelope->label] << circle->magnification;
     });

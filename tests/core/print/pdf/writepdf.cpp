@@ -58,7 +58,7 @@ std::map<QString, int> anchorPages(const Report &report, const QStringList &page
 /// The words of a figure are those of the figure as a file, which may be drawn in another order.
 QString drawnText(const FigureBlock &figure) {
     const QString words = squeezed(pageText(Block(figure)));
-    QString drawn = squeezed(pageTexts(figureAsPdf(figure.figure, u"figure"_s)).join(QString()));
+    QString drawn = squeezed(pageTexts(figureAsPdf(*figure.figure, u"figure"_s)).join(QString()));
     QString sortedWords = words;
     QString sortedDrawn = drawn;
     std::sort(sortedWords.begin(), sortedWords.end());
