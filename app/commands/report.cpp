@@ -8,6 +8,7 @@
 #include "commandline/preparation.h"
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
+#include "document/spool.h"
 #include "document/testsofverdict.h"
 #include "export/dcc.h"
 #include "export/resultsjson.h"
@@ -18,12 +19,12 @@
 #include "report/parts/parts.h"
 #include "validation/validation.h"
 
-#include <QBuffer>
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
 #include <future>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 namespace palmer {
@@ -144,7 +145,7 @@ private:
         if (!m_inputs.several && !m_edition.empty())
             requireTestOf(*findEdition(m_edition), document);
         warnOfLength(document);
-        const auto whole = std::make_shared<const Document>(std::move(document));
+        auto whole = std::make_shared<const Document>(std::move(document));
         const bool certified = m_invocation.has(dccOption);
         if (certified)
             requireForDcc({whole, {}, {}, {}}, m_invocation.language);
@@ -157,10 +158,11 @@ private:
             return std::pair(file, attachmentsOf(attachedFileName(*whole), file, {}));
         });
         const bool hasAnnex = !m_invocation.has(annexOption);
-        const EvaluatedDocument evaluated =
+        EvaluatedDocument evaluated =
             simulated(evaluate(whole, nullptr, m_edition),
                       hasAnnex ? SimulateWhich::forReport : SimulateWhich::monteCarloOnly,
                       m_inputs.several ? 1 : 0, m_invocation.language);
+        const bool isRejected = hasRejection(evaluated);
         const QStringList languages = languagesOf(m_invocation, *evaluated.document);
         if (output == QLatin1StringView("-") && languages.size() > 1)
             throw UsageError(
@@ -175,17 +177,23 @@ private:
                                  certified ? dcc(evaluated) : QByteArray());
         });
         auto [testFile, attachments] = carried.get();
-        const ReportOptions stated{
+        carried = {};
+        ReportOptions stated{
             QStringLiteral("Palmer " PALMER_VERSION), m_selfTest.get(), originals, testFile, {}, hasAnnex};
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
             Report report = composeReport(evaluated, Language::fromName(name).value(), stated);
             if (results.valid()) // once for all languages
                 std::ranges::copy(results.get(), std::back_inserter(attachments));
-            QBuffer pdf;
-            pdf.open(QIODevice::WriteOnly);
-            writePdf(std::move(report), pdf, attachments);
-            reports.push_back({pdf.data(), targetOf(name)});
+            if (name == languages.back()) { // the memory is needed for the pages
+                evaluated = {};
+                whole.reset();
+                testFile.clear();
+                stated.testFile.clear();
+            }
+            const auto pdf = std::make_shared<Spool>();
+            writePdf(std::move(report), *pdf, attachments);
+            reports.push_back({pdf->bytes(), targetOf(name), pdf});
         }
         try {
             if (m_inputs.several)
@@ -195,7 +203,7 @@ private:
             printError(error.path, error, m_invocation.language);
             return cannotRead;
         }
-        return hasRejection(evaluated) ? difference : done;
+        return isRejected ? difference : done;
     }
 
     const Invocation &m_invocation;

@@ -6,14 +6,18 @@
 
 #include <QByteArray>
 #include <QString>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace palmer {
 
+class Spool;
+
 struct FileToSave {
     QByteArray bytes;
     QString path;
+    std::shared_ptr<const Spool> spool = {}; ///< holds the bytes; null if they do so themselves
 };
 
 /// Error(unwritable) for one of several files.

@@ -36,7 +36,9 @@ QByteArray attachedFile(const Document &document, Originals originals) {
             file.data.reset();
         test = std::make_shared<const Test>(std::move(withoutBytes));
     }
-    return writeDocument(attached);
+    QByteArray file = writeDocument(attached);
+    file.squeeze(); // kept while the report is made
+    return file;
 }
 
 QString attachedFileName(const Document &document) {

@@ -3,6 +3,7 @@
 #include "ui/dialogs/reportdialog.h"
 
 #include "document/savefiles.h"
+#include "document/spool.h"
 #include "document/testfile.h"
 #include "export/dcc.h"
 #include "export/resultsjson.h"
@@ -21,7 +22,6 @@
 #include "ui/windowlanguage.h"
 #include "validation/validation.h"
 
-#include <QBuffer>
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
@@ -43,6 +43,7 @@
 #include <QtMath>
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace palmer::ui {
 
@@ -586,10 +587,9 @@ void ReportDialog::saveTo(const QString &path) {
                 for (std::size_t i = 0; i < reports.size(); ++i) {
                     file = files[static_cast<qsizetype>(i)];
                     requireNoTestFileName(file);
-                    QBuffer pdf;
-                    pdf.open(QIODevice::WriteOnly);
-                    writePdf(reports[i], pdf, attachments);
-                    written.push_back({pdf.data(), file});
+                    const auto pdf = std::make_shared<Spool>();
+                    writePdf(reports[i], *pdf, attachments);
+                    written.push_back({pdf->bytes(), file, pdf});
                 }
                 saveFiles(written);
             } catch (const UnsavedFile &error) {

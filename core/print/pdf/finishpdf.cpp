@@ -256,9 +256,18 @@ void writeObjects(PdfFile &file, QPDF &document, std::set<QPDFObjGen> written) {
     }
 }
 
-} // namespace
+/// Numbers of what was written that the structure refers to.
+struct WrittenDrawing {
+    std::unique_ptr<PdfFile> file;
+    std::vector<WrittenPage> pages;
+    std::vector<int> annotations;
+    MarkedContents contents;
+    int tree = 0; ///< of the structure tree, which is yet to be written
+    std::string trailer;
+};
 
-FinishedPdf finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to) try {
+/// Writes all but the structure, which takes so much memory that the document must be gone before.
+WrittenDrawing writeDrawing(QIODevice &drawn, const PdfProperties &properties, QIODevice &to) {
     QPDF document;
     document.setSuppressWarnings(true);
     document.processInputSource(std::make_shared<DeviceSource>(drawn));
@@ -282,23 +291,35 @@ FinishedPdf finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevi
     root.replaceKey("/StructTreeRoot", tree);
     root.replaceKey("/MarkInfo", Handle::parse("<< /Marked true >>"));
 
-    PdfFile file(to, properties.pack, tree.getObjectID() + 1);
+    WrittenDrawing result;
+    result.tree = tree.getObjectID();
+    result.file = std::make_unique<PdfFile>(to, properties.pack, result.tree + 1);
+    result.contents.resize(pages.size());
     PageTagger tagger(properties.structure);
-    MarkedContents contents(pages.size());
     std::set<QPDFObjGen> written{tree.getObjGen()};
     for (std::size_t i = 0; i < pages.size(); ++i) {
         Handle page = pages[i];
         page.replaceKey("/StructParents", Handle::newInteger(static_cast<long long>(i)));
         page.replaceKey("/Tabs", Handle::newName("/S"));
         const Handle content = page.getKey("/Contents");
-        file.addPacked(content.getObjectID(), {}, tagger.taggedContent(page, contents[i]));
+        result.file->addPacked(content.getObjectID(), {}, tagger.taggedContent(page, result.contents[i]));
         written.insert(content.getObjGen());
+        result.pages.push_back({page.getObjectID(), heightOf(page)});
     }
-    writeObjects(file, document, std::move(written));
-    writeStructure(file, tree.getObjectID(), properties, contents, pages, annotations);
-    const std::string information = document.getTrailer().getKey("/Info").unparse();
-    return file.end("/Root " + root.unparse() + " /Info " + information) ? FinishedPdf::complete
-                                                                         : FinishedPdf::refused;
+    writeObjects(*result.file, document, std::move(written));
+    for (const Handle &annotation : annotations)
+        result.annotations.push_back(annotation.getObjectID());
+    result.trailer = "/Root " + root.unparse() + " /Info " + document.getTrailer().getKey("/Info").unparse();
+    return result;
+}
+
+} // namespace
+
+FinishedPdf finishPdf(QIODevice &drawn, const PdfProperties &properties, QIODevice &to) try {
+    WrittenDrawing written = writeDrawing(drawn, properties, to);
+    writeStructure(*written.file, written.tree, properties, std::move(written.contents), written.pages,
+                   written.annotations);
+    return written.file->end(written.trailer) ? FinishedPdf::complete : FinishedPdf::refused;
 } catch (const PdfTooLarge &) {
     return FinishedPdf::tooLarge;
 }

@@ -591,7 +591,7 @@ public:
             measure(m_blocks.emplace_back(MeasuredBlock{std::make_shared<Block>(std::move(block)), {}}),
                     false);
         }
-        m_report.blocks.clear();
+        m_report.blocks = {};
         arrange();
         squeezeParts();
         squeezeEnds();

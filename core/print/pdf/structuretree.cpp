@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <qpdf/QPDFObjectHandle.hh>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,8 +21,8 @@ std::string reference(int number) {
     return std::to_string(number) + " 0 R";
 }
 
-std::string reference(const Handle &object) {
-    return reference(object.getObjectID());
+std::string reference(const WrittenPage &page) {
+    return reference(page.number);
 }
 
 /// The kids of an element as they are written.
@@ -40,15 +41,15 @@ private:
 /// All that is kept of an entry are a few numbers: there are a million of them.
 class StructureTree {
 public:
-    StructureTree(PdfFile &file, int root, const PdfProperties &properties, const MarkedContents &contents,
-                  const std::vector<Handle> &pages, const std::vector<Handle> &annotations)
+    StructureTree(PdfFile &file, int root, const PdfProperties &properties, MarkedContents contents,
+                  const std::vector<WrittenPage> &pages, const std::vector<int> &annotations)
         : m_file(file)
         , m_root(root)
         , m_structure(properties.structure)
         , m_links(properties.links)
         , m_pages(pages)
         , m_annotations(annotations) {
-        arrange(contents);
+        arrange(std::move(contents));
         findUsed();
     }
 
@@ -81,10 +82,15 @@ private:
     }
 
     /// The marks of all pages in one row; those of the same content are chained.
-    void arrange(const MarkedContents &contents) {
-        for (const std::vector<Index> &page : contents) {
+    void arrange(MarkedContents contents) {
+        std::size_t count = 0;
+        for (const std::vector<Index> &page : contents)
+            count += page.size();
+        m_marked.reserve(count);
+        for (std::vector<Index> &page : contents) {
             m_begins.push_back(m_marked.size());
             m_marked.insert(m_marked.end(), page.begin(), page.end());
+            page = {};
         }
         m_begins.push_back(m_marked.size());
         m_numbers.resize(m_structure.size());
@@ -176,7 +182,7 @@ private:
         std::string text = " /Alt " + Handle::newUnicodeString(figure.alternative.toStdString()).unparse();
         if (figure.area.isEmpty() || !page)
             return text;
-        const double height = Handle(m_pages[*page]).getKey("/MediaBox").getArrayItem(3).getNumericValue();
+        const double height = m_pages[*page].height;
         text += " /A << /BBox [";
         for (const double place : {figure.area.left(), height - figure.area.bottom(), figure.area.right(),
                                    height - figure.area.top()})
@@ -219,8 +225,8 @@ private:
     int m_root;
     const Structure &m_structure;
     const std::vector<PdfLink> &m_links; ///< in the order of their elements
-    const std::vector<Handle> &m_pages;
-    const std::vector<Handle> &m_annotations;
+    const std::vector<WrittenPage> &m_pages;
+    const std::vector<int> &m_annotations;
     std::vector<std::size_t> m_begins; ///< the first mark of each page, and the number of all
     std::vector<Index> m_marked;       ///< the contents of the marks
     std::vector<int> m_nextMarks;      ///< the next mark of the same content, from 1
@@ -230,9 +236,9 @@ private:
 
 } // namespace
 
-void writeStructure(PdfFile &file, int root, const PdfProperties &properties, const MarkedContents &contents,
-                    const std::vector<Handle> &pages, const std::vector<Handle> &annotations) {
-    StructureTree(file, root, properties, contents, pages, annotations).write();
+void writeStructure(PdfFile &file, int root, const PdfProperties &properties, MarkedContents contents,
+                    const std::vector<WrittenPage> &pages, const std::vector<int> &annotations) {
+    StructureTree(file, root, properties, std::move(contents), pages, annotations).write();
 }
 
 } // namespace palmer

@@ -6,19 +6,23 @@
 #include "print/pdf/pdffile.h"
 #include "print/pdf/structure.h"
 
-#include <qpdf/QPDFObjectHandle.hh>
 #include <vector>
 
 namespace palmer {
+
+/// A page, as far as the structure needs it.
+struct WrittenPage {
+    int number = 0;    ///< of its object
+    double height = 0; ///< points
+};
 
 /// The entries of what is marked on each page, by their identifiers there.
 using MarkedContents = std::vector<std::vector<Structure::Index>>;
 
 /// Writes the structure tree and its way back from the contents: `root` is the number of its root object. The
-/// contents of page i have the key i, the `annotations` (one per link) those that follow. Elements without
-/// content are left out, except cells, which keep the columns of their row.
-void writeStructure(PdfFile &file, int root, const PdfProperties &properties, const MarkedContents &contents,
-                    const std::vector<QPDFObjectHandle> &pages,
-                    const std::vector<QPDFObjectHandle> &annotations);
+/// contents of page i have the key i, the `annotations` (their numbers, one per link) those that follow.
+/// Elements without content are left out, except cells, which keep the columns of their row.
+void writeStructure(PdfFile &file, int root, const PdfProperties &properties, MarkedContents contents,
+                    const std::vector<WrittenPage> &pages, const std::vector<int> &annotations);
 
 } // namespace palmer

@@ -151,6 +151,22 @@ void addNavigation(PdfProperties &properties, const DrawnPages &pages,
     }
 }
 
+FinishedPdf writtenPdf(Report report, QIODevice &device, const std::vector<PdfAttachment> &attachments) {
+    PdfProperties properties;
+    properties.metadata = {oneLine(report.title), oneLine(report.laboratory), report.language, report.date,
+                           report.making};
+    properties.xmp = xmpPacket(properties.metadata);
+    properties.attachments = attachments;
+    report.testFile.clear(); // is attached
+    Tagging tagging(Language::fromName(report.language).value_or(Language(Language::Id::english)));
+    DrawnPages pages = drawPages(std::move(report), tagging);
+    properties.structure = tagging.takeStructure();
+    addNavigation(properties, pages, tagging.links());
+    pages.bookmarks = {};
+    pages.links = {};
+    return finishPdf(*pages.pdf, properties, device);
+}
+
 } // namespace
 
 std::vector<PdfAttachment> attachmentsOf(const QString &testFileName, const QByteArray &testFile,
@@ -179,16 +195,8 @@ void writePdf(Report report, QIODevice &device, const QByteArray &results, const
 }
 
 void writePdf(Report report, QIODevice &device, const std::vector<PdfAttachment> &attachments) {
-    PdfProperties properties;
-    properties.metadata = {oneLine(report.title), oneLine(report.laboratory), report.language, report.date,
-                           report.making};
-    properties.xmp = xmpPacket(properties.metadata);
-    properties.attachments = attachments;
-    Tagging tagging(Language::fromName(report.language).value_or(Language(Language::Id::english)));
-    const DrawnPages pages = drawPages(std::move(report), tagging);
-    properties.structure = tagging.takeStructure();
-    addNavigation(properties, pages, tagging.links());
-    const FinishedPdf finished = finishPdf(*pages.pdf, properties, device);
+    const FinishedPdf finished = writtenPdf(std::move(report), device, attachments);
+    returnFreeMemory(); // that of the structure: what was written may have to be read
     if (finished == FinishedPdf::tooLarge)
         throwTooLarge();
     if (finished == FinishedPdf::refused)

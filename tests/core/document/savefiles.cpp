@@ -3,6 +3,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "document/savefiles.h"
+#include "document/spool.h"
 
 #include <QDir>
 #include <QFile>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <csignal>
 #include <functional>
+#include <memory>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -165,6 +167,52 @@ private slots:
             }
             QVERIFY(namesIn(folder).isEmpty());
         }
+    }
+
+    void aSpoolKeepsWhatIsWritten_data() {
+        QTest::addColumn<int>("pieces");
+        QTest::addColumn<QByteArray>("folder");
+        QTest::newRow("nothing") << 0 << QByteArray();
+        QTest::newRow("in memory") << 3 << QByteArray();
+        QTest::newRow("in a file") << 3000 << QByteArray();
+        QTest::newRow("without a place for a file") << 3000 << QByteArray("/there/is/no/such/folder");
+    }
+
+    void aSpoolKeepsWhatIsWritten() {
+        QFETCH(const int, pieces);
+        QFETCH(const QByteArray, folder);
+        const QByteArray usual = qgetenv("TMPDIR");
+        if (!folder.isEmpty())
+            qputenv("TMPDIR", folder);
+        const auto spool = std::make_shared<Spool>();
+        QByteArray all;
+        for (int i = 0; i < pieces; ++i) {
+            const QByteArray piece = QByteArray::number(i).repeated(300);
+            QCOMPARE(spool->write(piece), piece.size());
+            all += piece;
+        }
+        usual.isEmpty() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", usual);
+        QVERIFY(spool->bytes() == all);
+        const QTemporaryDir place;
+        saveFiles({{spool->bytes(), place.filePath("a"), spool}});
+        QVERIFY(contentOf(place.filePath("a")) == all);
+    }
+
+    void aSpoolOnAFullDiskTakesNoMore() {
+        const auto usual = std::signal(SIGXFSZ, SIG_IGN);
+        rlimit before{};
+        QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+        rlimit small = before;
+        small.rlim_cur = 2'000'000;
+        QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
+        Spool spool;
+        const QByteArray piece(500'000, 'x');
+        bool refused = false;
+        for (int i = 0; i < 8; ++i)
+            refused = refused || spool.write(piece) != piece.size();
+        setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, usual);
+        QVERIFY(refused);
     }
 };
 
