@@ -304,9 +304,11 @@ void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
     auto text = row.texts.begin();
     const auto drawTexts = [&](std::size_t cell) {
         for (; text != row.texts.end() && text->cell <= cell; ++text)
-            text->block.draw(painter, at + QPointF(text->x, static_cast<double>(text->line) * lineHeight),
-                             text->alignment, text->width);
+            text->block.drawInUnits(painter,
+                                    at + QPointF(text->x, static_cast<double>(text->line) * lineHeight),
+                                    text->alignment, text->width);
     };
+    const TextUnits units(painter);
     const Tag tag(row.cells ? "/TR" : "/LI", row.key);
     if (!row.cells) {
         const Tag body("/LBody");
@@ -344,7 +346,7 @@ struct RowEdges {
     bool strong = false; ///< black rule at the end of a group
 };
 
-/// `make` returns the row again when it is drawn.
+/// `make` returns the row when it is drawn.
 template <class Make>
 void addRow(Strips &strips, const RowExtent &row, const Make &make, double lineHeight, double width,
             const RowEdges &edges, const std::shared_ptr<Strip> &head) {
@@ -361,8 +363,8 @@ void addRow(Strips &strips, const RowExtent &row, const Make &make, double lineH
         strip.link = edges.link;
         strip.draw = [make, split, i, above, width, height = strip.height, group = last && edges.groupEnds,
                       strong = edges.strong, end = last && edges.tableEnds](QPainter &painter, QPointF at) {
-            const auto &made = make();
-            drawRow(painter, at + QPointF(0, above), split ? lineOf(made, i) : made);
+            const std::shared_ptr<const PrintedRow> made = make();
+            drawRow(painter, at + QPointF(0, above), split ? lineOf(*made, i) : *made);
             if (end)
                 drawRule(painter, at + QPointF(0, height), width, outerRule);
             else if (group && strong)
@@ -379,8 +381,7 @@ void addKeptRow(Strips &strips, PrintedRow row, double lineHeight, double width,
                 const std::shared_ptr<Strip> &head) {
     const RowExtent extent = row.extent;
     addRow(
-        strips, extent,
-        [kept = std::make_shared<const PrintedRow>(std::move(row))]() -> const PrintedRow & { return *kept; },
+        strips, extent, [kept = std::make_shared<const PrintedRow>(std::move(row))] { return kept; },
         lineHeight, width, edges, head);
 }
 
@@ -634,16 +635,40 @@ PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::
     return row;
 }
 
-/// Makes the rows of a table.
+/// Makes the rows of a table: those of a short one at once, others when they are drawn.
 struct TableContent {
+    TableContent(std::shared_ptr<const Table> of, std::vector<Place> places)
+        : table(std::move(of))
+        , columns(std::move(places)) {}
+
     std::shared_ptr<const Table> table;
     std::vector<Place> columns;
     std::vector<std::shared_ptr<const std::vector<CellTag>>> cells = {}; ///< by row
     std::vector<char> keys = {}; ///< one address for each row and cell, which tells them apart (Tag)
+    std::vector<std::shared_ptr<const PrintedRow>> kept = {}; ///< the rows of a short table
 
-    [[nodiscard]] PrintedRow row(std::size_t index) const {
-        PrintedRow result = table->withRow(
-            index, [this](const std::vector<Cell> &row) { return rowOf(*table, row, columns); });
+    /// Adds the next row.
+    RowExtent add(const std::vector<Cell> &row, std::shared_ptr<const std::vector<CellTag>> tags) {
+        const std::size_t index = cells.size();
+        cells.push_back(std::move(tags));
+        PrintedRow made = printed(row, index);
+        const RowExtent extent = made.extent;
+        if (table->rowCount() <= mostKept)
+            kept.push_back(std::make_shared<const PrintedRow>(std::move(made)));
+        return extent;
+    }
+    [[nodiscard]] std::shared_ptr<const PrintedRow> row(std::size_t index) const {
+        if (!kept.empty())
+            return kept[index];
+        return std::make_shared<const PrintedRow>(
+            table->withRow(index, [&](const std::vector<Cell> &row) { return printed(row, index); }));
+    }
+
+private:
+    static constexpr std::size_t mostKept = 100;
+
+    [[nodiscard]] PrintedRow printed(const std::vector<Cell> &row, std::size_t index) const {
+        PrintedRow result = rowOf(*table, row, columns);
         result.cells = cells[index];
         result.key = keys.data() + index * (columns.size() + 1);
         return result;
@@ -668,7 +693,7 @@ RichText richText(const Phrase &phrase, bool bold) {
 
 Strips tableStrips(const std::shared_ptr<const Table> &shared, double width) {
     const Table &table = *shared;
-    const auto content = std::make_shared<TableContent>(TableContent{shared, places(table, width)});
+    const auto content = std::make_shared<TableContent>(shared, places(table, width));
     content->keys.resize(table.rowCount() * (table.columns.size() + 1));
     Strips strips;
     std::shared_ptr<Strip> head;
@@ -681,10 +706,8 @@ Strips tableStrips(const std::shared_ptr<const Table> &shared, double width) {
     }
     std::vector<RowExtent> rows;
     CellTags tags(table);
-    table.eachRow([&](const std::vector<Cell> &cells) {
-        rows.push_back(rowOf(table, cells, content->columns).extent);
-        content->cells.push_back(tags.of(cells));
-    });
+    table.eachRow(
+        [&](const std::vector<Cell> &cells) { rows.push_back(content->add(cells, tags.of(cells))); });
     const double padding = table.narrow ? narrowPadding : rowPadding;
     const std::vector<double> below = roomBelow(rows, padding);
     std::size_t together = 0; // rows before this one stay with the next

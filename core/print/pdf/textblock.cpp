@@ -7,12 +7,20 @@
 #include "print/pdf/tags.h"
 
 #include <QFontMetricsF>
+#include <QGlyphRun>
 #include <QHash>
+#include <QPaintEngine>
 #include <QPainter>
+#include <QRawFont>
+#include <QVarLengthArray>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace palmer {
@@ -28,10 +36,94 @@ constexpr double superscriptRise = 0.36;
 constexpr double fontAscent = 0.905;
 constexpr double fontDescent = 0.212;
 
+/// Characters that are drawn glyph by glyph: Latin letters, digits and the signs that go with them. In the
+/// paper font a text of them is as wide as its characters and what each pair is kerned, and none of them
+/// makes a ligature; shaping it takes many times as long.
+constexpr std::u16string_view plainSigns = u"–—’“”…−≤≥↑↓\u202F";
+constexpr std::size_t firstPlain = 0x20;
+constexpr std::size_t plainLatin = 0x100 - firstPlain;
+constexpr std::size_t plainCount = plainLatin + plainSigns.size();
+
+/// Index of a plain character; plainCount for others.
+std::size_t plainIndex(QChar character) {
+    const char16_t c = character.unicode();
+    constexpr char16_t noBreakSpace = 0xa0;
+    constexpr char16_t softHyphen = 0xad;
+    if (c < firstPlain + plainLatin)
+        return (c >= firstPlain && c < 0x7f) || (c >= noBreakSpace && c != softHyphen) ? c - firstPlain
+                                                                                       : plainCount;
+    const std::size_t sign = plainSigns.find(c);
+    return sign == std::u16string_view::npos || !isOnPaper(c) ? plainCount : plainLatin + sign;
+}
+
+/// Advances and glyphs of plain characters in a font, measured when they are first needed. In 64ths of a
+/// pixel, as Qt counts.
+class PlainGlyphs {
+public:
+    explicit PlainGlyphs(const QFont &font)
+        : m_metrics(font)
+        , m_raw(QRawFont::fromFont(font)) {}
+
+    /// Calls `visit` with glyph and place of each character. Returns the advance of all, null if some are not
+    /// plain.
+    std::optional<double> each(const QString &text, auto visit) {
+        int x = 0;
+        std::size_t before = plainCount;
+        for (const QChar &c : text) {
+            const std::size_t index = plainIndex(c);
+            if (index == plainCount)
+                return std::nullopt;
+            const Known &known = knownOf(index, c);
+            if (before < plainCount)
+                x += kerning(before, index, &c);
+            visit(known.glyph, x / parts);
+            x += known.advance;
+            before = index;
+        }
+        return x / parts;
+    }
+
+    [[nodiscard]] const QRawFont &raw() const { return m_raw; }
+
+private:
+    struct Known {
+        quint32 glyph = 0;
+        int advance = -1; ///< not measured yet
+    };
+    static constexpr double parts = 64;
+    static constexpr std::int16_t unknown = std::numeric_limits<std::int16_t>::max();
+
+    [[nodiscard]] int advanceOf(const QString &text) const {
+        return qRound(m_metrics.horizontalAdvance(text) * parts);
+    }
+
+    const Known &knownOf(std::size_t index, QChar character) {
+        Known &known = m_known[index];
+        if (known.advance < 0)
+            known = {m_raw.glyphIndexesForString(character).value(0), advanceOf(character)};
+        return known;
+    }
+
+    /// `second`: the second character, which follows the first in its text.
+    int kerning(std::size_t first, std::size_t index, const QChar *second) {
+        std::int16_t &kerned = m_kerning[first * plainCount + index];
+        if (kerned == unknown)
+            kerned = static_cast<std::int16_t>(advanceOf(QString(second - 1, 2)) - m_known[first].advance -
+                                               m_known[index].advance);
+        return kerned;
+    }
+
+    QFontMetricsF m_metrics;
+    QRawFont m_raw;
+    std::array<Known, plainCount> m_known = {};
+    std::vector<std::int16_t> m_kerning = std::vector<std::int16_t>(plainCount * plainCount, unknown);
+};
+
 struct Face {
     QFont font;
     QFontMetricsF metrics;
-    QHash<QString, double> widths = {}; ///< of short texts
+    PlainGlyphs plain;
+    QHash<QString, double> widths = {}; ///< of other short texts
 };
 
 /// Caches fonts and metrics: a report draws thousands of short texts in a dozen fonts.
@@ -44,7 +136,7 @@ Face &face(double size, bool bold, bool italic) {
         return known->second;
     loadFonts();
     const QFont font = paperFont(pixels, bold, italic);
-    return faces.emplace(key, Face{font, QFontMetricsF(font)}).first->second;
+    return faces.emplace(key, Face{font, QFontMetricsF(font), PlainGlyphs(font)}).first->second;
 }
 
 double sizeOf(const TextRun &look, const TextStyle &style) {
@@ -57,6 +149,8 @@ Face &face(const TextRun &run, const TextStyle &style) {
 
 /// A report repeats its words and numbers, and shaping them takes most of the time of its layout.
 double advance(Face &face, const QString &text) {
+    if (const auto plain = face.plain.each(text, [](quint32, double) {}))
+        return *plain;
     constexpr qsizetype longest = 40;
     constexpr qsizetype most = 20'000;
     if (text.size() > longest)
@@ -117,9 +211,35 @@ double widthOf(const QString &text, const TextRun &look, const TextStyle &style)
     return width;
 }
 
+/// Draws a plain text; returns false for others. Only for PDF, where it gives the same bytes as any text: on
+/// the screen Qt places glyphs by pixels.
+bool drawPlain(QPainter &painter, QPointF at, PlainGlyphs &plain, const QString &text) {
+    if (painter.paintEngine()->type() != QPaintEngine::Pdf)
+        return false;
+    QVarLengthArray<quint32, 64> glyphs;
+    QVarLengthArray<QPointF, 64> places;
+    const bool isPlain = plain
+                             .each(text,
+                                   [&](quint32 glyph, double x) {
+                                       glyphs.append(glyph);
+                                       places.append({x, 0});
+                                   })
+                             .has_value();
+    if (!isPlain)
+        return false;
+    QGlyphRun run;
+    run.setRawFont(plain.raw());
+    run.setRawData(glyphs.constData(), places.constData(), static_cast<int>(glyphs.size()));
+    constexpr double parts = 64; // in which Qt counts, cut off
+    painter.drawGlyphRun({std::trunc(at.x() * parts) / parts, at.y()}, run);
+    return true;
+}
+
 /// Draws on a baseline, in tenths of a point. Characters of other fonts are fitted to their fixed width.
 void drawRun(QPainter &painter, QPointF at, const TextRun &run, const TextStyle &style) {
-    const Face &own = face(run, style);
+    Face &own = face(run, style);
+    if (drawPlain(painter, at, own.plain, run.text))
+        return;
     painter.setFont(own.font);
     if (!needsOtherFont(run.text)) {
         painter.drawText(at, run.text);
@@ -346,6 +466,23 @@ private:
     qsizetype m_from = 0;
 };
 
+/// True if the run surely fits on one line as it is: most texts of a report do. A line that is built word by
+/// word is wider by what a space is kerned with its neighbours.
+bool isOneLine(const TextRun &run, const TextStyle &style, double width) {
+    if (run.text.isEmpty() || isSpace(run.text.front()) || isSpace(run.text.back()))
+        return false;
+    qsizetype spaces = 0;
+    for (qsizetype i = 0; i < run.text.size(); ++i) {
+        const QChar c = run.text[i];
+        if (c == u'\n' || c == u'\t' || (c == u' ' && run.text[i + 1] == u' '))
+            return false;
+        spaces += c == u' ' ? 1 : 0;
+    }
+    constexpr double mostKerned = 0.3; // fraction of the size
+    return width >= TextBlock::unlimited ||
+           widthOf(run, style) + static_cast<double>(spaces) * mostKerned * style.size <= width;
+}
+
 } // namespace
 
 TextBlock::TextBlock(const QString &text, const TextStyle &style, double width)
@@ -354,6 +491,11 @@ TextBlock::TextBlock(const QString &text, const TextStyle &style, double width)
 TextBlock::TextBlock(const RichText &text, const TextStyle &style, double width)
     : m_style(style)
     , m_lines(1) {
+    if (text.size() == 1 && isOneLine(text.front(), style, width)) {
+        m_lines.front().fragments.push_back({text.front(), 0});
+        measure(m_lines.front());
+        return;
+    }
     for (const Word &word : words(text)) {
         if (word.newLine)
             m_lines.emplace_back();
@@ -454,8 +596,16 @@ TextBlock TextBlock::line(std::size_t index) const {
 
 void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment, double width) const {
     markContent(painter);
-    const QTransform points = painter.transform();
-    painter.scale(1 / tenths, 1 / tenths);
+    const TextUnits units(painter);
+    drawLines(painter, topLeft, alignment, width);
+}
+
+void TextBlock::drawInUnits(QPainter &painter, QPointF topLeft, TextAlignment alignment, double width) const {
+    markContent(painter);
+    drawLines(painter, topLeft, alignment, width);
+}
+
+void TextBlock::drawLines(QPainter &painter, QPointF topLeft, TextAlignment alignment, double width) const {
     double baseline = topLeft.y() + ascent();
     for (const Line &line : m_lines) {
         double x = topLeft.x();
@@ -478,7 +628,16 @@ void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment
         }
         baseline += lineHeight();
     }
-    painter.setTransform(points);
+}
+
+TextUnits::TextUnits(QPainter &painter)
+    : m_painter(painter)
+    , m_points(painter.transform()) {
+    painter.scale(1 / tenths, 1 / tenths);
+}
+
+TextUnits::~TextUnits() {
+    m_painter.setTransform(m_points);
 }
 
 double textWidth(const QString &text, const TextStyle &style) {

@@ -5,13 +5,18 @@
 #include "core/print/pdf/reports.h"
 #include "export/resultsjson.h"
 #include "print/figures/exportfigure.h"
+#include "print/fonts.h"
 #include "print/pdf/pages.h"
 #include "print/pdf/pdffile.h"
+#include "print/pdf/textblock.h"
 #include "report/blocks/pagetext.h"
 
 #include <QColorSpace>
+#include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QHashSeed>
+#include <QPainter>
+#include <QPdfWriter>
 #include <csignal>
 #include <ctime>
 #include <optional>
@@ -199,6 +204,7 @@ private slots:
     void longReportsAreDrawnIntoAFile();
     void saysThatThereIsNoRoomForThePages();
     void packedRowsPrintAsOthers();
+    void plainTextsAreDrawnAsQtDrawsThem();
     void moreThanFourGigabytesAreRefused();
     void saysThatTheDeviceIsFull();
     void isArchivalWithItsData_data() { addStoredDocuments(); }
@@ -390,6 +396,61 @@ void WritePdf::packedRowsPrintAsOthers() {
     report.blocks = {packed};
     QCOMPARE(pdfOf(report), pdf);
     QVERIFY(pageTexts(pdf).size() > 20);
+}
+
+/// They are neither shaped nor measured as a whole.
+void WritePdf::plainTextsAreDrawnAsQtDrawsThem() {
+    loadFonts();
+    const QString characters =
+        u" 0123456789.,−+±()/:AVTWYLPFfijlrtyvw-–—’“”…≤≥↑↓\u202F\u00A0°µ×éÀÇœ%"_s + QChar(0x7e);
+    std::mt19937 random(1);
+    const auto upTo = [&](qsizetype most) {
+        return static_cast<qsizetype>(random() % static_cast<std::mt19937::result_type>(most));
+    };
+    for (const bool bold : {false, true}) {
+        const TextStyle style{8.5, bold, black, 1.2};
+        const QFont font = paperFont(85, bold, false);
+        std::vector<std::pair<QPointF, QString>> texts;
+        for (int i = 0; i < 300; ++i) {
+            QString text;
+            for (qsizetype length = 1 + upTo(20); length > 0; --length)
+                text += characters[upTo(characters.size())];
+            text = u'x' + text.split(u' ', Qt::SkipEmptyParts).join(u' ');
+            texts.emplace_back(QPointF(static_cast<double>(upTo(50'000)) / 97, 100), text);
+            QCOMPARE(textWidth(text, style), QFontMetricsF(font).horizontalAdvance(text) / 10);
+        }
+        const auto drawn = [&](auto draw) {
+            QBuffer buffer;
+            buffer.open(QIODevice::WriteOnly);
+            QPdfWriter writer(&buffer);
+            QPainter painter(&writer);
+            for (const auto &[place, text] : texts) {
+                painter.save();
+                draw(painter, place, text);
+                painter.restore();
+            }
+            painter.end();
+            QPDF read;
+            read.processMemoryFile("pdf", buffer.data().constData(),
+                                   static_cast<std::size_t>(buffer.data().size()));
+            QPDFObjectHandle page = read.getAllPages().at(0);
+            const auto content = page.getKey("/Contents").getStreamData();
+            return std::string(reinterpret_cast<const char *>(content->getBuffer()), content->getSize());
+        };
+        const std::string own = drawn([&](QPainter &painter, QPointF at, const QString &text) {
+            TextBlock(text, style).draw(painter, at);
+        });
+        const std::string shaped = drawn([&](QPainter &painter, QPointF at, const QString &text) {
+            const double ascent = TextBlock(text, style).ascent();
+            const QTransform points = painter.transform();
+            painter.scale(0.1, 0.1);
+            painter.setPen(QColor::fromRgb(black));
+            painter.setFont(font);
+            painter.drawText((at + QPointF(0, ascent)) * 10, text + u' ');
+            painter.setTransform(points);
+        });
+        QVERIFY(own == shaped);
+    }
 }
 
 /// The memory is never read.
