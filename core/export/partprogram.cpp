@@ -241,8 +241,13 @@ std::span<const DialectName> dialects() {
     return names;
 }
 
-QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Language &language) {
+void requireProgrammable(const CycleProgram &program, Dialect dialect) {
     requireSense(program, dialect);
+    (void)axisName(program.axis, dialect);
+}
+
+QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Language &language) {
+    requireProgrammable(program, dialect);
     ProgramWriter writer(program, dialect);
     writer.begin();
     comments(writer, program, dialect, language);

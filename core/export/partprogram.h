@@ -30,9 +30,12 @@ struct DialectName {
 /// measuring program). Comments in ASCII, in the given language.
 /// ISO: DIN 66025 (G0/G1, G4 in seconds with X; FANUC and similar), Siemens: SINUMERIK (G4 F), Heidenhain:
 /// Klartext (L, CYCL DEF 9.0), LinuxCNC and Haas (G4 P in seconds, for Haas only with a decimal point).
+/// Throws like requireProgrammable().
+[[nodiscard]] QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Language &language);
+
 /// Throws Error(content) for an impossible program: no targets, targets that the decimals do not distinguish,
 /// no runs, a dwell, feed or approach distance not above 0, an axis name unknown to the dialect: only a
 /// SINUMERIK has an unambiguous form for an axis with a number ("X1=10").
-[[nodiscard]] QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Language &language);
+void requireProgrammable(const CycleProgram &program, Dialect dialect);
 
 } // namespace palmer

@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace palmer::ui {
@@ -20,7 +21,7 @@ constexpr double titleRoom = 34;
 constexpr double foot = 46; ///< px below, for the axis
 constexpr double tickDistance = 70;
 constexpr double arrowRadius = 2.6;
-constexpr std::size_t mostDots = 4000; ///< more would overlap
+constexpr std::size_t mostMoves = 4000; ///< drawn one by one; more would overlap
 
 /// Row of each move: one per pass in the standard cycle, one per stop in the step cycle.
 std::vector<double> rowsOf(const std::vector<Move> &path) {
@@ -68,6 +69,32 @@ QPen penOf(const Move &move, const QPalette &palette) {
     if (!move.stop)
         return {token(Token::secondaryText, palette), 1, Qt::DotLine};
     return {colourOf(move.stop->approach, palette), 1.6};
+}
+
+/// Draws a cycle of so many moves that single ones cannot be told apart: a line for each row, unless rows
+/// are as many and those before it fill its pixels already. `x` and `y` map a position and a row to the
+/// widget.
+void drawRows(QPainter &painter, const std::vector<Move> &path, const std::vector<double> &rows,
+              const QPalette &palette, const auto &x, const auto &y) {
+    double line = -1; // of pixels
+    Interval filled;
+    for (std::size_t from = 0, to = 0; from < path.size(); from = to) {
+        double low = path[from].position;
+        double high = low;
+        for (to = from; to < path.size() && rows[to] == rows[from]; ++to) {
+            low = std::min(low, path[to].position);
+            high = std::max(high, path[to].position);
+        }
+        const double at = y(rows[from]);
+        if (std::floor(at) != line)
+            filled = {low, low};
+        else if (rows.back() > mostMoves && filled.from <= low && high <= filled.to)
+            continue;
+        line = std::floor(at);
+        filled = {std::min(filled.from, low), std::max(filled.to, high)};
+        painter.setPen(penOf(path[to - 1], palette));
+        painter.drawLine(QPointF(x(low), at), QPointF(x(high), at));
+    }
 }
 
 } // namespace
@@ -123,13 +150,13 @@ void CycleView::paintEvent(QPaintEvent *) {
                          language.quantity(m_program.targets.back(), quantity, m_program.decimals));
     }
     drawAxis(painter, m_program, lowest, ends.max.position, bottom, palette(), x);
+    if (path.size() > mostMoves)
+        return drawRows(painter, path, rows, palette(), x, y);
     for (std::size_t i = 1; i < path.size(); ++i) {
         painter.setPen(penOf(path[i], palette()));
         painter.drawLine(QPointF(x(path[i - 1].position), y(rows[i - 1])),
                          QPointF(x(path[i].position), y(rows[i])));
     }
-    if (path.size() > mostDots)
-        return;
     painter.setPen(Qt::NoPen);
     for (std::size_t i = 0; i < path.size(); ++i) {
         if (!path[i].stop)

@@ -382,7 +382,7 @@ void PlanDialog::showWhyNoProgram() {
     bool possible = !m_plan.targets.empty();
     try {
         if (possible)
-            (void)partProgram(m_program, dialect(), windowLanguage());
+            requireProgrammable(m_program, dialect());
     } catch (const Error &error) {
         possible = false;
         reason = tr("No part program: %1").arg(windowLanguage().sentence(error.message));

@@ -48,7 +48,9 @@ std::vector<Move> cyclePath(const CycleProgram &program) {
 }
 
 Interval movedThrough(const CycleProgram &program) {
-    const std::vector<Move> path = cyclePath(program);
+    CycleProgram start = program;
+    start.runs = std::min(program.runs, 2); // all later ones are like the second
+    const std::vector<Move> path = cyclePath(start);
     if (path.empty())
         return {};
     const auto [low, high] = std::ranges::minmax(path, {}, &Move::position);

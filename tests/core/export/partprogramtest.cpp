@@ -218,13 +218,20 @@ QString difference(const Walk &walked, const CycleProgram &program) {
     return {};
 }
 
-QString refusal(const CycleProgram &program, Dialect dialect) {
+QString refusedBy(const auto &work) {
     try {
-        (void)partProgram(program, dialect, english());
+        work();
         return {};
     } catch (const Error &error) {
         return english().sentence(error.message);
     }
+}
+
+/// What is refused is known before the program is written.
+QString refusal(const CycleProgram &program, Dialect dialect) {
+    const QString before = refusedBy([&] { requireProgrammable(program, dialect); });
+    const QString written = refusedBy([&] { (void)partProgram(program, dialect, english()); });
+    return before == written ? written : QStringLiteral("%1; %2").arg(before, written);
 }
 
 } // namespace

@@ -6,12 +6,14 @@
 
 #include "document/readdocument.h"
 #include "document/savedocument.h"
+#include "ui/dialogs/cycleview.h"
 #include "ui/examples.h"
 #include "ui/model/documentmodel.h"
 #include "ui/windowlanguage.h"
 
 #include <QComboBox>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -72,6 +74,29 @@ private slots:
         QCOMPARE(dialog.plan().targets.size(), std::size_t(6)); // 1 198 mm between the ends
         QVERIFY(dialog.plan().targets.front() - dialog.program().approach >= 0);
         QVERIFY(dialog.plan().targets.back() + dialog.program().approach <= 1200);
+    }
+
+    /// A long cycle is drawn row by row; all of its rows and all of their width are there.
+    void aLongCycleFillsItsDiagram() {
+        CycleProgram program;
+        for (int i = 0; i < 100; ++i)
+            program.targets.push_back(10 * i);
+        program.runs = 200;
+        for (const Cycle cycle : {Cycle::standard, Cycle::step}) {
+            program.cycle = cycle;
+            CycleView view;
+            view.resize(460, 300);
+            view.show(program, {});
+            const QImage image = view.grab().toImage();
+            for (int y = 45; y < 250; y += 3) {
+                int coloured = 0;
+                for (int x = 30; x < 430; ++x)
+                    coloured += image.pixelColor(x, y).lightness() < 170 ? 1 : 0;
+                // In the step cycle the axis stands at one of the 100 targets.
+                QVERIFY2(cycle == Cycle::standard ? coloured > 380 : coloured > 0,
+                         qPrintable(QStringLiteral("%1: %2").arg(y).arg(coloured)));
+            }
+        }
     }
 
     /// Its axis moves 5° beyond a turn either way, to approach 0° and 360°.

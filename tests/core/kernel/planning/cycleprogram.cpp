@@ -3,6 +3,7 @@
 #include "kernel/planning/cycleprogram.h"
 
 #include <QTest>
+#include <algorithm>
 
 using namespace palmer;
 
@@ -85,6 +86,26 @@ private slots:
         program.cycle = Cycle::step;
         program.only = Direction::positive;
         QCOMPARE(written(cyclePath(program)), QByteArray("-1 [0] -1 [0] 99 [100] 99 [100]"));
+    }
+
+    void runsAfterTheSecondReachNoFurther() {
+        CycleProgram program;
+        program.targets = {0, 40, 100};
+        program.approach = 2.5;
+        for (const Cycle cycle : {Cycle::standard, Cycle::step}) {
+            for (const auto only : {std::optional<Direction>(), std::optional(Direction::positive),
+                                    std::optional(Direction::negative)}) {
+                for (program.runs = 0; program.runs < 6; ++program.runs) {
+                    program.cycle = cycle;
+                    program.only = only;
+                    Interval reached = program.runs > 0 ? Interval{100, 0} : Interval{};
+                    for (const Move &move : cyclePath(program))
+                        reached = {std::min(reached.from, move.position),
+                                   std::max(reached.to, move.position)};
+                    QVERIFY(movedThrough(program) == reached);
+                }
+            }
+        }
     }
 
     void whatLiesBeyondTheAxis_data() {
