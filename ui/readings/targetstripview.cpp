@@ -9,6 +9,10 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QtMath>
+#include <algorithm>
+#include <set>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -21,7 +25,8 @@ constexpr double labelSpace = 6;    ///< between numbers
 constexpr double laneShare = 0.25;  ///< of the height
 constexpr double dotRadius = 3.2;
 constexpr double diamondHalf = 4.4;
-constexpr double pointerReach = 9; ///< around the pointer
+constexpr std::size_t mostJoined = 1000; ///< readings; lines between more would only be a smear
+constexpr double pointerReach = 9;       ///< around the pointer
 
 } // namespace
 
@@ -66,6 +71,24 @@ QPointF TargetStripView::place(std::size_t lane, std::size_t reading) const {
     return {x(readings[reading].value), area.top() + step * (static_cast<double>(reading) + 1)};
 }
 
+/// Indices of the readings that later ones do not cover; all if they are few.
+std::vector<std::size_t> TargetStripView::uncovered(std::size_t lane) const {
+    constexpr double cell = 3; // px: dots closer than this cannot be told apart
+    const auto &readings = m_strip.lanes[lane].readings;
+    std::vector<std::size_t> result;
+    std::set<std::pair<int, int>> taken;
+    for (std::size_t k = readings.size(); k-- > 0;) {
+        const QPointF at = place(lane, k) / cell;
+        const bool isFree = taken.emplace(qFloor(at.x()), qFloor(at.y())).second;
+        const ReadingPlace reading{readings[k].run, m_target};
+        if (isFree || readings.size() <= mostJoined || readings[k].isAside ||
+            m_selection.hovered() == reading)
+            result.push_back(k);
+    }
+    std::ranges::reverse(result);
+    return result;
+}
+
 void TargetStripView::paintLane(QPainter &painter, std::size_t lane) const {
     const StripLane &shown = m_strip.lanes[lane];
     const bool up = shown.role == CurveRole::up;
@@ -90,14 +113,14 @@ void TargetStripView::paintLane(QPainter &painter, std::size_t lane) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(colour, 1));
     std::optional<QPointF> before;
-    for (std::size_t k = 0; k < shown.readings.size(); ++k) {
+    for (std::size_t k = 0; k < shown.readings.size() && shown.readings.size() <= mostJoined; ++k) {
         if (shown.readings[k].isAside)
             continue;
         if (before)
             painter.drawLine(*before, place(lane, k));
         before = place(lane, k);
     }
-    for (std::size_t k = 0; k < shown.readings.size(); ++k) {
+    for (const std::size_t k : uncovered(lane)) {
         const QPointF at = place(lane, k);
         if (shown.readings[k].isAside) { // a cross, as it is struck through in the table
             painter.setPen(QPen(token(Token::secondaryText, palette()), 1.4));

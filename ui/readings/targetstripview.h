@@ -32,6 +32,7 @@ private:
     [[nodiscard]] double x(double value) const;
     [[nodiscard]] QRectF laneArea(std::size_t lane) const;
     [[nodiscard]] QPointF place(std::size_t lane, std::size_t reading) const;
+    [[nodiscard]] std::vector<std::size_t> uncovered(std::size_t lane) const;
     void paintLane(QPainter &painter, std::size_t lane) const;
     void paintReversal(QPainter &painter) const;
 

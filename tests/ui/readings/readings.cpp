@@ -129,6 +129,35 @@ private slots:
         QVERIFY(last > 0);
     }
 
+    /// Of 20 000 readings not every dot is drawn, but none is missing from the picture.
+    void aStripOfManyReadingsShowsWhereTheyAre() {
+        Selection selection;
+        TargetStripView view(selection);
+        view.resize(432, 140); // the axis begins at 24 and is 400 wide
+        TargetStrip strip;
+        strip.axis.from = 0;
+        strip.axis.to = 100;
+        strip.lanes.resize(1);
+        constexpr std::size_t many = 20'000;
+        for (std::size_t k = 0; k < many; ++k)
+            strip.lanes[0].readings.push_back({10 + 0.01 * static_cast<double>(k * 7919 % 5000), k, false});
+        strip.lanes[0].readings[many / 2].value = 90;
+        view.setStrip(strip, 0);
+        const QImage image = view.grab().toImage();
+        const auto isDrawn = [&image](double value) {
+            const int x = 24 + static_cast<int>(4 * value);
+            for (int y = 4; y < image.height() - 24; ++y) {
+                if (image.pixelColor(x, y) == token(Token::up, QPalette()))
+                    return true;
+            }
+            return false;
+        };
+        for (int value = 10; value < 60; ++value)
+            QVERIFY2(isDrawn(value), qPrintable(QString::number(value)));
+        for (int value = 65; value < 100; value += 5)
+            QCOMPARE(isDrawn(value), value == 90);
+    }
+
     void currentCellIsTheReadingOfTheWindow() {
         Selection selection;
         DocumentModel model;
