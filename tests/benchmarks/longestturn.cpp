@@ -9,18 +9,24 @@
 #include <poll.h>
 #include <pthread.h>
 
+namespace palmer::benchmarks {
+
+double processorTime() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+} // namespace palmer::benchmarks
+
 namespace {
+
+using palmer::benchmarks::processorTime;
 
 const pthread_t windows = pthread_self();
 bool counts = false;
 double begun = 0;
 double longestSoFar = 0;
-
-double processorTime() { // ms
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
 
 /// Between the two calls the thread looks for events.
 void endTurn() {

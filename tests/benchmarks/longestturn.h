@@ -4,6 +4,9 @@
 
 namespace palmer::benchmarks {
 
+/// Processor time of this thread so far, ms.
+[[nodiscard]] double processorTime();
+
 /// How long the window was kept from its user: from one look for events to the next, on the thread of the
 /// program's start. Counted are the turns since this was made; one at a time.
 class LongestTurn {
