@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "windowoptions.h"
 
+#include "document/windowthread.h"
 #include "environment.h"
 #include "system/memory.h"
 #include "system/process.h"
@@ -47,5 +48,6 @@ int main(int argc, char *argv[]) {
         window->openFile(file);
     window->offerRecoveries();
     startRegister();
+    const palmer::WindowThread thisThread;
     return QApplication::exec();
 }

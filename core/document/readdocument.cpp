@@ -10,6 +10,7 @@
 #include "document/place.h"
 #include "document/refuse.h"
 #include "document/refusedreadings.h"
+#include "document/windowthread.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/words/characters.h"
@@ -691,6 +692,7 @@ Document readUnbounded(const QByteArray &bytes) {
 
 Document readDocument(const QByteArray &bytes) {
     Document document = readUnbounded(bytes);
+    requireBackground(document);
     requireBounds(document);
     return document;
 }

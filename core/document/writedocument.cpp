@@ -7,6 +7,7 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "document/refusedreadings.h"
+#include "document/windowthread.h"
 #include "kernel/measurement/testfacts.h"
 
 #include <nlohmann/json.hpp>
@@ -218,6 +219,7 @@ private:
 } // namespace
 
 QByteArray writeDocument(const Document &document) {
+    requireBackground(document);
     ObjectWriter file;
     fields(file, document);
     file.word("format", fileFormat);

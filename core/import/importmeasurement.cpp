@@ -9,10 +9,12 @@
 #include "document/savedocument.h"
 #include "document/sha256.h"
 #include "document/testfile.h"
+#include "document/windowthread.h"
 #include "import/formats.h"
 #include "import/layouts/headings.h"
 #include "import/question.h"
 #include "import/readers.h"
+#include "kernel/measurement/testfacts.h"
 #include "system/filename.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
@@ -259,6 +261,7 @@ Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const Im
     Choices choices(options, usual);
     choices.resolve("format", format.word, Origin::recognised);
     readInto(imported, bytes, format, choices);
+    requireBackground(imported.test ? readingsOf(*imported.test) : imported.table.rows().size());
     if (imported.refusal && !showsAnything(imported))
         throw Error(*imported.refusal);
     return imported;

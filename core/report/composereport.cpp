@@ -3,6 +3,7 @@
 #include "report/composereport.h"
 
 #include "document/visibletexts.h"
+#include "document/windowthread.h"
 #include "document/writedocument.h"
 #include "figures/thinning.h"
 #include "language/papercharacters.h"
@@ -385,6 +386,7 @@ void addAnnexOfReport(Report &report, const std::vector<TestPart> &parts, const 
 } // namespace
 
 Report composeReport(const EvaluatedDocument &given, const Language &language, const ReportOptions &options) {
+    requireBackground(*given.document);
     Report report;
     report.testFile =
         options.testFile.isEmpty() ? attachedFile(*given.document, options.originals) : options.testFile;

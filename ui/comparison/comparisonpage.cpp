@@ -15,6 +15,7 @@
 #include "ui/errorbox.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
+#include "ui/model/background.h"
 #include "ui/rowtable.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
@@ -240,8 +241,10 @@ bool ComparisonPage::addFile(const QString &path) {
     const QString file = QFileInfo(path).fileName();
     try {
         std::vector<Message> guesses;
-        const auto other = std::make_shared<const EvaluatedDocument>(
-            evaluate(std::make_shared<const Document>(readTests(path, guesses))));
+        const auto other = awaited([&] {
+            return std::make_shared<const EvaluatedDocument>(
+                evaluate(std::make_shared<const Document>(readTests(path, guesses))));
+        });
         const auto like = counterpart({m_evaluated.get(), m_test}, *other);
         if (!like) {
             showError(this, tr("%1 has no test like this one").arg(file),

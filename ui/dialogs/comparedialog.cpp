@@ -10,6 +10,7 @@
 #include "ui/formulatext.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
+#include "ui/model/background.h"
 #include "ui/quiettable.h"
 #include "ui/sizeonscreen.h"
 #include "ui/testname.h"
@@ -316,7 +317,7 @@ void CompareDialog::showEditions() {
         if (isShown)
             chosen.push_back(word);
     }
-    m_ofEditions = compareEditions(*m_evaluated, m_test, chosen, windowLanguage());
+    m_ofEditions = awaited([&] { return compareEditions(*m_evaluated, m_test, chosen, windowLanguage()); });
     const QStringList reasons =
         fill(*m_editionTable, m_ofEditions,
              QStringList{m_ofEditions.unit, tr("quantity")} + m_ofEditions.columns + QStringList{tr("Notes")},
@@ -333,7 +334,7 @@ void CompareDialog::showTests() {
         if (offer.isChosen)
             chosen.push_back({*offer.evaluated, offer.test, offer.name});
     }
-    m_ofTests = compareTests(chosen, windowLanguage());
+    m_ofTests = awaited([&] { return compareTests(chosen, windowLanguage()); });
     QStringList heads{m_ofTests.unit, tr("quantity")};
     for (qsizetype i = 0; i < m_ofTests.columns.size(); ++i) {
         heads << m_ofTests.columns[i];
@@ -357,8 +358,10 @@ bool CompareDialog::addFile(const QString &path) {
         const std::size_t before = m_offers.size();
         const QString name = QFileInfo(path).fileName();
         std::vector<Message> guesses;
-        offer(std::make_shared<const EvaluatedDocument>(
-                  evaluate(std::make_shared<const Document>(readTests(path, guesses)))),
+        offer(awaited([&] {
+                  return std::make_shared<const EvaluatedDocument>(
+                      evaluate(std::make_shared<const Document>(readTests(path, guesses))));
+              }),
               name);
         for (const Message &guess : guesses) {
             if (m_offers.size() > before)

@@ -17,6 +17,7 @@
 #include "ui/errorbox.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
+#include "ui/model/background.h"
 #include "ui/model/documentmodel.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
@@ -480,7 +481,7 @@ Dialect PlanDialog::dialect() const {
 bool PlanDialog::write(const QString &path, const std::function<QByteArray()> &bytes) {
     try {
         requireNoTestFileName(path);
-        saveBytes(bytes(), path);
+        awaited([&] { saveBytes(bytes(), path); });
         return true;
     } catch (const Error &error) {
         showError(this, tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error);

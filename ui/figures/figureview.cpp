@@ -499,10 +499,12 @@ bool FigureView::saveTo(const QString &path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     try {
         requireNoTestFileName(path);
-        saveBytes(suffix == QStringLiteral("svg")   ? figureAsSvg(shown->figure, shown->title, m_language)
-                  : suffix == QStringLiteral("png") ? figureAsPng(shown->figure)
-                                                    : figureAsPdf(shown->figure, shown->title),
-                  path);
+        awaited([&] {
+            saveBytes(suffix == QStringLiteral("svg")   ? figureAsSvg(shown->figure, shown->title, m_language)
+                      : suffix == QStringLiteral("png") ? figureAsPng(shown->figure)
+                                                        : figureAsPdf(shown->figure, shown->title),
+                      path);
+        });
         return true;
     } catch (const Error &error) {
         showError(this, tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error,

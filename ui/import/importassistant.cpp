@@ -5,6 +5,7 @@
 #include "document/filewords.h"
 #include "document/savedocument.h"
 #include "document/sha256.h"
+#include "document/windowthread.h"
 #include "figures/testfigures.h"
 #include "figures/thinning.h"
 #include "kernel/evaluation/edition.h"
@@ -55,7 +56,6 @@ constexpr int boxSpacing = 12;
 constexpr int boxContents = 12;     ///< minimum width of a choice, in letters
 constexpr int linesAtOnce = 50'000; ///< text lines laid out per batch
 constexpr int columnWidth = 72;     ///< of the recognised table, px, unless its heading is wider
-constexpr int drawnAtOnce = 50'000; ///< readings; curves of more are made in the background
 constexpr int remarksHeight = 150;
 constexpr int lowRemarksHeight = 72;
 constexpr int lowBelow = 700; ///< height of the dialog, px
@@ -118,8 +118,8 @@ MeasurementFile readMeasurementFile(const QByteArray &bytes, const QString &file
 }
 
 bool isLargeFile(qint64 bytes) {
-    constexpr qint64 readAtOnce = 256LL * 1024;
-    return bytes > readAtOnce;
+    constexpr qint64 shortestReading = 2; // bytes: a digit and a separator
+    return bytes > shortestReading * qint64(fewReadings);
 }
 
 ImportAssistant::ImportAssistant(const QByteArray &bytes, const QString &fileName, const Document *open,
@@ -426,7 +426,7 @@ void ImportAssistant::chooseOther() {
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
         try {
-            takeFile(readBytes(path), path);
+            takeFile(awaited([&] { return readBytes(path); }), path);
         } catch (const Error &error) {
             refuse(error, QFileInfo(path).fileName());
             showRemarks();
@@ -798,7 +798,7 @@ void ImportAssistant::showCurve() {
         std::optional<CurveFigure> curve = curveOf(evaluated, language);
         return std::pair(std::move(evaluated), std::move(curve));
     };
-    if (readingsOf(m_file.imported) <= drawnAtOnce) {
+    if (readingsOf(m_file.imported) <= static_cast<int>(fewReadings)) {
         const auto [evaluated, curve] = work();
         showEvaluated(evaluated, curve);
         return;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QEventLoop>
 #include <QObject>
 #include <QThreadPool>
 #include <functional>
+#include <future>
 #include <memory>
 #include <stop_token>
 #include <type_traits>
@@ -82,6 +84,23 @@ void Background::start(Work work, OnResult onResult) {
             });
         }
     });
+}
+
+/// Runs `work` on a background thread and returns its result or throws its exception. Until then windows are
+/// painted but take no input: for what a user has asked for and waits for, whose outcome decides what is
+/// next.
+template <class Work>
+std::invoke_result_t<Work> awaited(Work work) {
+    QEventLoop meanwhile;
+    std::packaged_task<std::invoke_result_t<Work>()> task(std::move(work));
+    auto result = task.get_future();
+    QThreadPool thread;
+    thread.start([&] {
+        task();
+        QMetaObject::invokeMethod(&meanwhile, &QEventLoop::quit, Qt::QueuedConnection);
+    });
+    meanwhile.exec(QEventLoop::ExcludeUserInputEvents);
+    return result.get();
 }
 
 } // namespace palmer::ui

@@ -5,6 +5,7 @@
 #include "document/savedocument.h"
 #include "kernel/measurement/testfacts.h"
 #include "system/memory.h"
+#include "ui/model/background.h"
 #include "ui/model/editcommand.h"
 
 #include <QFileInfo>
@@ -94,9 +95,11 @@ void DocumentModel::boundSteps() {
 }
 
 void DocumentModel::save(const QString &path) {
-    saveDocument(*m_document, path);
+    const DocumentPointer saved = m_document;
+    awaited([&] { saveDocument(*saved, path); });
     m_path = QFileInfo(path).absoluteFilePath();
-    m_stack->setClean();
+    if (m_document == saved) // a field that lost the focus may have changed it
+        m_stack->setClean();
     emit fileChanged();
 }
 

@@ -9,6 +9,7 @@
 #include "figures/figuretexts.h"
 #include "figures/testfigures.h"
 #include "ui/errorbox.h"
+#include "ui/model/background.h"
 #include "ui/windowlanguage.h"
 
 #include <QCoreApplication>
@@ -60,7 +61,7 @@ void ask(QWidget *window, const QString &title, const QStringList &forms,
         QSettings().setValue(QLatin1StringView(folderSetting), QFileInfo(path).absolutePath());
         try {
             requireNoTestFileName(path);
-            saveBytes(bytes(formOf()), path);
+            awaited([&, form = formOf()] { saveBytes(bytes(form), path); });
         } catch (const Error &error) {
             refuse(window, path, error);
         }

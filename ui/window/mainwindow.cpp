@@ -490,7 +490,7 @@ void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) 
     const QString whole = isExample(path) ? path : QFileInfo(path).absoluteFilePath();
     for (QWidget *widget : QApplication::topLevelWidgets()) {
         auto *other = qobject_cast<MainWindow *>(widget);
-        if (other && !isExample(whole) && other->hasDocument() &&
+        if (other && !isExample(whole) && other->isVisible() && other->hasDocument() && // not closed just now
             (other->m_model.path() == whole || other->m_reportPath == whole)) {
             other->raise();
             other->activateWindow();
@@ -506,7 +506,7 @@ void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
     struct Measurement {};
     using Outcome = std::variant<std::monostate, Document, OpenedReport, Measurement, Error>;
     const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulates again
-    const bool beside = mayTakeLong || isLargeFile(QFileInfo(path).size());
+    const bool beside = mayTakeLong || (isLargeFile(QFileInfo(path).size()) && !isExample(path));
     const auto progress = beside ? m_progress : std::make_shared<ReadProgress>();
     const auto open = [path, progress](const std::stop_token &stop) -> Outcome {
         try {
@@ -738,7 +738,7 @@ void MainWindow::fillLikeLast() {
     if (!currentTest())
         return;
     const std::size_t test = testInView();
-    const auto &document = m_model.document();
+    const DocumentPointer document = m_model.document();
     const QString address = RegisterService::instance().address();
     QString machine;
     if (const QStringList all = document->machine == Machine() ? machinesOfRegister(address) : QStringList();
@@ -751,7 +751,8 @@ void MainWindow::fillLikeLast() {
     }
     std::optional<LikeTest> like;
     try {
-        like = lastTestOfMachine(document, test, m_model.path(), address, machine);
+        like = awaited(
+            [&, path = m_model.path()] { return lastTestOfMachine(document, test, path, address, machine); });
     } catch (const Error &error) {
         ui::showError(this, tr("The last test of the machine cannot be read"), error);
         return;
@@ -865,7 +866,7 @@ void MainWindow::fileChangedOutside() {
 
 void MainWindow::reload() {
     try {
-        Document document = openDocument(m_model.path());
+        Document document = awaited([path = m_model.path()] { return openDocument(path); });
         m_model.setDocument(std::move(document), m_model.path());
         watchFile();
         showState();
@@ -921,7 +922,7 @@ bool MainWindow::saveAs() {
 bool MainWindow::saveTo(const QString &path) {
     try {
         if (keepsBackups() && QFileInfo::exists(path))
-            saveBytes(readBytes(path), path + QStringLiteral(".bak"));
+            awaited([&] { saveBytes(readBytes(path), path + QStringLiteral(".bak")); });
         m_model.save(path);
     } catch (const Error &error) {
         showError(tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), path, error);

@@ -2,19 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "core/kernel/evaluation/circulardata.h"
 #include "ui/window/shownwindow.h"
 
 #include "document/savedocument.h"
+#include "document/windowthread.h"
+#include "ui/comparison/comparisonpage.h"
+#include "ui/dialogs/comparedialog.h"
 #include "ui/import/importassistant.h"
 #include "ui/workbar.h"
 
+#include <QAction>
 #include <QComboBox>
+#include <QDialog>
 #include <QFile>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
+#include <csignal>
+#include <functional>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -22,7 +33,7 @@ using namespace palmer::ui;
 namespace {
 
 constexpr int targets = 400;
-constexpr int runs = 100; ///< each way
+constexpr int largeRuns = 100; ///< each way
 
 double deviationOf(int target, int run, bool up) { // µm
     return 0.01 * target + 0.1 * (run % 7) + (up ? 0 : 2);
@@ -30,12 +41,12 @@ double deviationOf(int target, int run, bool up) { // µm
 
 QByteArray largeTable() {
     QByteArray text = "P mm";
-    for (int j = 1; j <= runs; ++j)
+    for (int j = 1; j <= largeRuns; ++j)
         text += QString(";%1 ↑ µm;%1 ↓ µm").arg(j).toUtf8();
     text += '\n';
     for (int i = 0; i < targets; ++i) {
         text += QByteArray::number(i);
-        for (int j = 0; j < runs; ++j)
+        for (int j = 0; j < largeRuns; ++j)
             for (const bool up : {true, false})
                 text += ';' + QByteArray::number(deviationOf(i, j, up), 'f', 2);
         text += '\n';
@@ -43,7 +54,7 @@ QByteArray largeTable() {
     return text;
 }
 
-Document largeDocument() {
+Document largeDocument(int runs = largeRuns) {
     PositioningMeasurement measurement;
     for (int i = 0; i < targets; ++i)
         measurement.targets.push_back(i);
@@ -90,6 +101,7 @@ private slots:
     void init() { setWindowLanguage(Language::Id::english); }
 
     void measurementsAreReadBesideTheWindow() {
+        const WindowThread thisThread;
         const ShownWindow shown;
         shown.window->importFiles({table()});
         QVERIFY(!assistantOf(shown)); // not yet
@@ -100,7 +112,7 @@ private slots:
         const Imported &imported = assistantOf(shown)->imported();
         const auto &measurement = std::get<PositioningMeasurement>(imported.test->measurement);
         QCOMPARE(measurement.targets.size(), std::size_t{targets});
-        QCOMPARE(measurement.runs.size(), std::size_t{2 * runs});
+        QCOMPARE(measurement.runs.size(), std::size_t{2 * largeRuns});
         QVERIFY(std::abs(*measurement.runs[3].deviations[7] - deviationOf(7, 1, false) / 1000) < 1e-9);
     }
 
@@ -202,6 +214,7 @@ private slots:
     }
 
     void filesComeInTheirOrder() {
+        const WindowThread thisThread;
         const ShownWindow shown;
         shown.window->importFiles({table(), smallTable()});
         QTRY_VERIFY(assistantOf(shown));
@@ -215,6 +228,7 @@ private slots:
     }
 
     void theWindowGoesWhileItReads() {
+        const WindowThread thisThread;
         const ShownWindow shown;
         shown.window->importFiles({table()});
         shown.window->openFile(document());
@@ -285,7 +299,103 @@ private slots:
         QVERIFY(std::abs(first() + deviationOf(0, 0, false) / 1000) < 1e-9); // still µm
     }
 
+    void longWorkOnTheThreadOfTheWindowIsNoticed() {
+        QVERIFY(!isEndedBy([] { requireBackground(fewReadings + 1); }));
+        const WindowThread thisThread;
+        QVERIFY(!isEndedBy([] { requireBackground(fewReadings); }));
+        QVERIFY(isEndedBy([] { requireBackground(fewReadings + 1); }));
+        QVERIFY(isEndedBy([] { requireBackground(largeDocument()); }));
+    }
+
+    /// Whatever is chosen of the menus, and all that follows until what opened is closed: the assertion of
+    /// requireBackground() would end this program.
+    void nothingOfTheMenusIsLongWorkOnTheThreadOfTheWindow_data() {
+        QTest::addColumn<palmer::Test>("test");
+        QTest::newRow("axis") << *largeDocument(30).tests[0];
+        QTest::newRow("circle") << testdata::longPair(6000);
+    }
+    void nothingOfTheMenusIsLongWorkOnTheThreadOfTheWindow() {
+        QFETCH(palmer::Test, test);
+        Document document;
+        document.tests = {std::make_shared<const palmer::Test>(test)};
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        const QString path = m_folder.filePath("menus.palmer");
+        saveDocument(document, path);
+        const WindowThread thisThread;
+        const ShownWindow shown(path);
+        QTRY_VERIFY(shown.window->hasDocument());
+        const auto rest = [&] {
+            do {
+                QTest::qWait(1);
+            } while (shown.window->evaluator().isBusy() || closeWhatIsOpen(*shown.window));
+        };
+        QTimer modal;
+        connect(&modal, &QTimer::timeout, this, [&] {
+            if (QApplication::activeModalWidget())
+                closeWhatIsOpen(*shown.window);
+        });
+        modal.start(30);
+        auto *undo = shown.window->findChild<QAction *>("undo");
+        int tried = 0;
+        for (QAction *action : shown.window->findChildren<QAction *>()) {
+            const QString name = action->objectName();
+            if (name.isEmpty() || action->menu() || name == "quit" || name == "close")
+                continue;
+            shown.window->model().edit("title", [](Document &changed) {
+                auto edited = std::make_shared<palmer::Test>(*changed.tests[0]);
+                edited->title += ".";
+                changed.tests[0] = std::move(edited);
+            });
+            rest();
+            if (!action->isEnabled())
+                continue;
+            action->trigger();
+            ++tried;
+            rest();
+            while (undo->isEnabled())
+                undo->trigger();
+            rest();
+        }
+        QVERIFY(tried > 50);
+        QVERIFY(QFile(path).size() > 0);
+    }
+
+    void otherFilesAreComparedBesideTheWindow() {
+        const WindowThread thisThread;
+        const ShownWindow shown(document());
+        QTRY_VERIFY(shown.window->hasDocument());
+        CompareDialog dialog(shown.window->evaluator().current(), 0);
+        QVERIFY(dialog.addFile(document()));
+        ComparisonPage page(shown.window->model());
+        QVERIFY(!page.addFile(m_folder.filePath("none.palmer")));
+    }
+
 private:
+    /// True if the function ends the program that runs it: another one, made for it.
+    static bool isEndedBy(const std::function<void()> &work) {
+        const pid_t child = fork();
+        if (child == 0) {
+            std::signal(SIGABRT, SIG_DFL);
+            close(STDERR_FILENO); // what abort() says is not about this program
+            work();
+            _exit(0);
+        }
+        int state = 0;
+        return child < 0 || waitpid(child, &state, 0) != child || !WIFEXITED(state);
+    }
+
+    /// Closes the dialogs and windows but that one; false if there are none.
+    static bool closeWhatIsOpen(const MainWindow &kept) {
+        bool any = false;
+        for (QWidget *widget : QApplication::topLevelWidgets()) {
+            if (widget == &kept || !widget->isVisible())
+                continue;
+            widget->close();
+            any = true;
+        }
+        return any;
+    }
+
     static ImportAssistant *assistantOf(const ShownWindow &shown) {
         for (auto *assistant : shown.window->findChildren<ImportAssistant *>())
             if (assistant->isVisible())

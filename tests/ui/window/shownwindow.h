@@ -10,6 +10,9 @@
 #include "ui/windowlanguage.h"
 
 #include <QApplication>
+#include <QEventLoop>
+#include <QFileInfo>
+#include <QLabel>
 #include <QPointer>
 #include <QSettings>
 #include <QStandardPaths>
@@ -34,8 +37,12 @@ struct ShownWindow {
         : window(new palmer::ui::MainWindow) {
         window->resize(size);
         window->show();
-        if (!file.isEmpty())
-            window->openFile(file);
+        if (file.isEmpty())
+            return;
+        window->openFile(file);
+        const auto *state = find<QLabel>("statusState");
+        while (state->text().contains(QFileInfo(file).fileName())) // it is read in the background
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
     ~ShownWindow() { delete window; }
     ShownWindow(const ShownWindow &) = delete;
