@@ -6,6 +6,7 @@
 #include "document/picture.h"
 #include "document/testsofverdict.h"
 #include "document/thermal.h"
+#include "document/windowthread.h"
 
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/evaluatetest.h"
@@ -20,6 +21,7 @@
 #include <map>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace palmer {
 
@@ -302,32 +304,6 @@ EvaluatedDocument evaluate(std::shared_ptr<const Document> document, const Evalu
     return evaluateUnder(std::move(document), editions, previous);
 }
 
-EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
-                                std::span<const std::string> editions, const EvaluatedDocument *previous) {
-    EvaluatedDocument result;
-    const Siblings siblings(*document);
-    const Siblings before(previous && previous->document ? *previous->document : *document);
-    for (std::size_t i = 0; i < document->tests.size(); ++i) {
-        const TestPointer &test = document->tests[i];
-        const Edition *other = askedOf(editions, i);
-        TestSimulation simulation;
-        if (previous && previous->document) {
-            if (const auto place = placeIn(*previous, *document, i))
-                simulation = simulationOf(*previous, *place);
-        }
-        const Surroundings around = surroundings(*document, siblings, test, simulation);
-        const Edition *used = editionFor(*test, other);
-        TestEvaluationPointer evaluation =
-            previous && previous->document ? unchanged(*previous, before, test, around, used) : nullptr;
-        if (!evaluation)
-            evaluation = std::make_shared<const TestEvaluation>(evaluateTest(*test, around, other));
-        result.tests.push_back(std::move(evaluation));
-        result.simulations.push_back(std::move(simulation));
-    }
-    result.document = std::move(document);
-    return result;
-}
-
 EvaluatedDocument awaitingResults(std::shared_ptr<const Document> document,
                                   std::span<const std::string> editions, const EvaluatedDocument &previous) {
     EvaluatedDocument result;
@@ -361,6 +337,25 @@ EvaluatedDocument awaitingResults(std::shared_ptr<const Document> document,
     }
     result.document = std::move(document);
     return result;
+}
+
+EvaluatedDocument evaluatePending(EvaluatedDocument awaiting, std::span<const std::string> editions) {
+    const Document &document = *awaiting.document;
+    const Siblings siblings(document);
+    for (const std::size_t i : std::exchange(awaiting.pending, {})) {
+        const TestPointer &test = document.tests[i];
+        requireBackground(readingsOf(*test));
+        awaiting.tests[i] = std::make_shared<const TestEvaluation>(evaluateTest(
+            *test, surroundings(document, siblings, test, awaiting.simulations[i]), askedOf(editions, i)));
+    }
+    return awaiting;
+}
+
+EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
+                                std::span<const std::string> editions, const EvaluatedDocument *previous) {
+    static const EvaluatedDocument none;
+    return evaluatePending(awaitingResults(std::move(document), editions, previous ? *previous : none),
+                           editions);
 }
 
 std::optional<TestSimulation> simulateTest(const EvaluatedDocument &evaluated, std::size_t test,

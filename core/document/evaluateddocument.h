@@ -76,6 +76,10 @@ template <class Measurement>
                                                 std::span<const std::string> editions,
                                                 const EvaluatedDocument &previous);
 
+/// Evaluates what is pending in the result of awaitingResults() with the same editions.
+[[nodiscard]] EvaluatedDocument evaluatePending(EvaluatedDocument awaiting,
+                                                std::span<const std::string> editions);
+
 /// Runs the Monte Carlo simulation of a test under its evaluated edition. Null if its inputs are incomplete,
 /// for drift tests, and if stopped. May run on any thread: nothing is shared but values.
 [[nodiscard]] std::optional<TestSimulation>

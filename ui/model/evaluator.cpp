@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/model/evaluator.h"
 
+#include "document/windowthread.h"
 #include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 namespace palmer::ui {
 
 namespace {
-
-constexpr std::size_t atOnce = 10'000;
 
 std::size_t countPending(const EvaluatedDocument &awaiting) {
     std::size_t count = 0;
@@ -64,7 +63,7 @@ void Evaluator::putSimulations() {
             continue;
         }
         const auto place = static_cast<std::size_t>(found - tests.begin());
-        if (readingsOf(**found) <= atOnce) {
+        if (readingsOf(**found) <= fewReadings) {
             m_current = withSimulation(m_current, place, simulation);
             m_simulations.pop_front();
             emit evaluated(m_current);
@@ -96,13 +95,13 @@ void Evaluator::evaluate() {
     m_worker.cancel();
     auto asked = editions();
     EvaluatedDocument awaiting = awaitingResults(m_document, asked, m_current);
-    if (countPending(awaiting) <= atOnce) {
-        receive(evaluateUnder(m_document, asked, &m_current));
+    if (countPending(awaiting) <= fewReadings) {
+        receive(evaluatePending(std::move(awaiting), asked));
         return;
     }
-    m_awaiting = std::move(awaiting);
-    m_worker.start([document = m_document, asked = std::move(asked), previous = m_current](
-                       const Background::Job &) { return evaluateUnder(document, asked, &previous); },
+    m_awaiting = awaiting;
+    m_worker.start([awaiting = std::move(awaiting), asked = std::move(asked)](
+                       const Background::Job &) { return evaluatePending(awaiting, asked); },
                    [this](EvaluatedDocument evaluated) { receive(std::move(evaluated)); });
     emit busyChanged(true);
     emit this->awaiting(m_awaiting);
