@@ -246,13 +246,12 @@ private:
     std::unordered_multimap<std::size_t, Section> m_sections; ///< by their words
 };
 
-/// Adds the certificates of several tests: the summary, one page per test with its results, and the common
+/// Adds what follows the summary of several tests: one page per test with its results, and the common
 /// statements.
 void addCertificates(std::vector<Block> &blocks, const std::vector<TestPart> &parts,
                      const std::stop_token &stop) {
     const Writer &write = parts.front().write;
     const ReportHead &head = parts.front().head();
-    addSummary(blocks, parts);
     for (const TestPart &part : parts) {
         if (stop.stop_requested())
             return;
@@ -423,16 +422,29 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
     const std::vector<TestPart> parts = testParts(evaluated, write, views, report.making.annex);
     const bool several = parts.size() > 1;
     std::vector<Block> &blocks = report.blocks;
+    const auto begun = [&] {
+        if (!options.onFirstPage)
+            return;
+        Report first = report;
+        thinFigures(first.blocks);
+        options.onFirstPage(first);
+    };
     if (hasSheet) {
         addSheet(blocks, evaluated, parts, write);
+        begun();
         if (!parts.empty())
             blocks.emplace_back(PageBreak{});
     }
     if (several) {
+        addSummary(blocks, parts);
+        if (!hasSheet)
+            begun();
         addCertificates(blocks, parts, options.stop);
     } else if (!parts.empty()) {
         blocks.emplace_back(runningHead(parts.front()));
         withKind(parts.front(), [&](const auto &own) { addFirstPage(blocks, own); });
+        if (!hasSheet)
+            begun();
         addCertificate(blocks, parts.front());
     } else {
         if (!hasSheet)

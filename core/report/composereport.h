@@ -19,6 +19,9 @@ struct ReportOptions {
     QByteArray testFile = {};  ///< source file, byte for byte; empty: as the document would be saved
     std::stop_token stop = {}; ///< if stop is requested, the report lacks tests
     bool annex = true;         ///< false: without the annex, whatever the file says
+    /// Receives the report as soon as it has the blocks of its first page, which takes a fraction of the
+    /// time; not called for a report of drift tests alone.
+    std::function<void(const Report &)> onFirstPage = {};
 };
 
 /// Composes the printed report of a document in one language: a certificate and an annex. Certificate of one

@@ -348,44 +348,73 @@ void ReportDialog::compose() {
     m_source = source;
     m_composer.start(
         [this, source, onlyResults, previous = current](const Background::Job &job) {
-            return composed(job, source, previous, onlyResults ? nullptr : this, *this);
+            return composed(job, source, previous, !onlyResults);
         },
-        [this](Composed composed) { take(std::move(composed)); });
+        [this](std::shared_ptr<const Composed> composed) { take(std::move(composed)); });
 }
 
-/// Prints the file's own editions: views under another edition belong to the window. `first`: shows the first
-/// page meanwhile; null: the pages in view stay, so that other results do not turn back to the first one.
-ReportDialog::Composed ReportDialog::composed(const Background::Job &job, const Source &source,
-                                              const EvaluatedDocument &previous, ReportDialog *first,
-                                              ReportDialog &dialog) {
-    Composed result;
+/// Prints the file's own editions: views under another edition belong to the window. `showsFirst`: shows the
+/// first page meanwhile; otherwise the pages in view stay, so that other results do not turn back to it.
+std::shared_ptr<const ReportDialog::Composed> ReportDialog::composed(const Background::Job &job,
+                                                                     Source source,
+                                                                     const EvaluatedDocument &previous,
+                                                                     bool showsFirst) {
+    auto result = std::make_shared<Composed>();
     try {
-        result.evaluated = evaluate(source.document, &previous);
-        job.post([&dialog, evaluated = result.evaluated] { dialog.showEvaluated(evaluated); });
+        result->evaluated = evaluate(source.document, &previous);
+        job.post([this, evaluated = result->evaluated] { showEvaluated(evaluated); });
+        source.results = result->evaluated.tests;
+        const auto same = [&source](const auto &kept) {
+            return *kept->source.document == *source.document && kept->source.results == source.results &&
+                   kept->source.originals == source.originals;
+        };
+        if (const auto found = std::ranges::find_if(m_kept, same); found != m_kept.end())
+            return *found;
+        result->source = source;
         ReportOptions options{
             QStringLiteral("Palmer " PALMER_VERSION), selfTestPasses(), source.originals, {}, job.stop()};
+        if (showsFirst)
+            options.onFirstPage = [this, &job](const Report &report) {
+                job.post([this, pages = firstPages(report)] { showPages(pages); });
+            };
         for (const ReportLanguage language : source.document->report.languages) {
-            result.reports.push_back(composeReport(result.evaluated, Language(idOf(language)), options));
-            const Report &report = result.reports.back();
+            result->reports.push_back(composeReport(result->evaluated, Language(idOf(language)), options));
+            const Report &report = result->reports.back();
             options.testFile = report.testFile; // the same in each language
-            if (first && result.reports.size() == 1 && !job.stop().stop_requested())
-                job.post([first, pages = firstPages(report)] { first->showPages(pages); });
-            std::ranges::move(layoutPages(report, job.stop()), std::back_inserter(result.pages));
+            options.onFirstPage = {};
+            std::ranges::move(layoutPages(report, job.stop()), std::back_inserter(result->pages));
         }
+        if (!job.stop().stop_requested())
+            keep(result);
     } catch (const Error &error) {
-        result = {std::move(result.evaluated), {}, {}, error.message};
+        result->reports.clear();
+        result->pages.clear();
+        result->refused = error.message;
     }
     return result;
 }
 
-void ReportDialog::take(Composed composed) {
-    m_evaluated = std::move(composed.evaluated);
-    m_reports = std::move(composed.reports);
-    showPages(std::move(composed.pages));
+/// Keeps what was composed last, and of what came before as much as a thousand pages.
+void ReportDialog::keep(const std::shared_ptr<const Composed> &composed) {
+    constexpr std::size_t most = 8;
+    constexpr std::size_t mostPages = 1000;
+    m_kept.push_back(composed);
+    std::size_t pages = 0;
+    std::size_t first = m_kept.size() - 1;
+    while (first > 0 && m_kept.size() - first < most &&
+           (pages += m_kept[first - 1]->pages.size()) <= mostPages)
+        --first;
+    m_kept.erase(m_kept.begin(), m_kept.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+void ReportDialog::take(std::shared_ptr<const Composed> composed) {
+    m_composed = std::move(composed);
+    m_evaluated = m_composed->evaluated;
+    showPages(m_composed->pages);
     goToAnchor();
     showDocument(); // and composes again if other results have come
-    if (composed.refused)
-        m_summary->setText(windowLanguage().sentence(*composed.refused));
+    if (m_composed->refused)
+        m_summary->setText(windowLanguage().sentence(*m_composed->refused));
 }
 
 /// The budget is printed with a simulation, which runs while the pages can be viewed.
@@ -424,9 +453,9 @@ void ReportDialog::showDocument() {
         choice.box->setChecked(choice.isOn(head));
     showLength();
     m_originals->setVisible(holdsOriginals(*m_model.document()));
-    m_attached->setVisible(!m_reports.empty());
-    if (!m_reports.empty()) {
-        const Report &report = m_reports.front();
+    m_attached->setVisible(!m_composed->reports.empty());
+    if (!m_composed->reports.empty()) {
+        const Report &report = m_composed->reports.front();
         m_attached->setText(
             tr("In the PDF: the whole test file (%1, %2), remarks and names in it included, and the results")
                 .arg(report.testFileName, QLocale().formattedDataSize(report.testFile.size())));
@@ -436,7 +465,7 @@ void ReportDialog::showDocument() {
     showSaved({});
     if (isComposing())
         m_summary->setText(tr("Composing the pages…"));
-    else if (!m_reports.empty())
+    else if (!m_composed->reports.empty())
         m_summary->setText(
             tr("%n page(s) %1 · preview = PDF = paper", nullptr, pageCount()).arg(m_paper->currentText()));
     followScroll();
@@ -539,11 +568,11 @@ void ReportDialog::choosePdf() {
 }
 
 QStringList ReportDialog::filesOf(const QString &path) const {
-    if (m_reports.size() == 1)
+    if (m_composed->reports.size() == 1)
         return {path};
     const QFileInfo name(path);
     QStringList files;
-    for (const Report &report : m_reports)
+    for (const Report &report : m_composed->reports)
         files +=
             name.dir().filePath(QStringLiteral("%1.%2.pdf").arg(name.completeBaseName(), report.language));
     return files;
@@ -574,7 +603,7 @@ void ReportDialog::saveTo(const QString &path) {
     m_summary->setText(tr("Saving…"));
     showSaved({});
     m_writer.start(
-        [files = filesOf(path), reports = m_reports, evaluated = m_evaluated, certified,
+        [files = filesOf(path), composed = m_composed, evaluated = m_evaluated, certified,
          language = windowLanguage()](const Background::Job &) -> Written {
             std::vector<FileToSave> written;
             QString file = files.constFirst(); // being written
@@ -582,13 +611,13 @@ void ReportDialog::saveTo(const QString &path) {
                 if (certified)
                     requireForDcc(evaluated, language);
                 const std::vector<PdfAttachment> attachments =
-                    attachmentsOf(reports.front().testFileName, reports.front().testFile,
+                    attachmentsOf(composed->reports.front().testFileName, composed->reports.front().testFile,
                                   attachedResults(evaluated), certified ? dcc(evaluated) : QByteArray());
-                for (std::size_t i = 0; i < reports.size(); ++i) {
+                for (std::size_t i = 0; i < composed->reports.size(); ++i) {
                     file = files[static_cast<qsizetype>(i)];
                     requireNoTestFileName(file);
                     const auto pdf = std::make_shared<Spool>();
-                    writePdf(reports[i], *pdf, attachments);
+                    writePdf(composed->reports[i], *pdf, attachments);
                     written.push_back({pdf->bytes(), file, pdf});
                 }
                 saveFiles(written);

@@ -77,6 +77,7 @@ private:
         bool operator==(const Source &) const = default;
     };
     struct Composed {
+        Source source; ///< with the results of the evaluation
         EvaluatedDocument evaluated;
         std::vector<Report> reports;
         Pages pages;
@@ -96,9 +97,10 @@ private:
     void makeButtons(QVBoxLayout &whole);
     void addChoices(QVBoxLayout *column);
     void compose();
-    static Composed composed(const Background::Job &job, const Source &source,
-                             const EvaluatedDocument &previous, ReportDialog *first, ReportDialog &dialog);
-    void take(Composed composed);
+    [[nodiscard]] std::shared_ptr<const Composed>
+    composed(const Background::Job &job, Source source, const EvaluatedDocument &previous, bool showsFirst);
+    void keep(const std::shared_ptr<const Composed> &composed);
+    void take(std::shared_ptr<const Composed> composed);
     void showEvaluated(EvaluatedDocument evaluated);
     void showPages(Pages pages);
     void showDocument();
@@ -126,7 +128,10 @@ private:
     std::shared_ptr<const Document> m_simulated; ///< last simulated, or cancelled: not started again
     EvaluatedDocument m_evaluated;
     Source m_source; ///< of the pages that are shown or being composed
-    std::vector<Report> m_reports;
+    std::shared_ptr<const Composed> m_composed = std::make_shared<Composed>();
+    /// Composed before, the last one last: shown again at once if choices are taken back. For the composing
+    /// thread alone.
+    std::vector<std::shared_ptr<const Composed>> m_kept;
     Pages m_pages;
     bool m_fit = true;
     QString m_anchor; ///< still to be shown

@@ -300,6 +300,22 @@ private slots:
         QVERIFY2(actual == expected, qPrintable(written.fileName() + ": " + difference(actual, expected)));
     }
 
+    void theFirstPageIsKnownBeforeTheOthers_data() { addDocuments(); }
+    void theFirstPageIsKnownBeforeTheOthers() {
+        QFETCH(QString, name);
+        const EvaluatedDocument evaluated = evaluate(document(name));
+        std::vector<Report> begun;
+        ReportOptions options;
+        options.onFirstPage = [&begun](const Report &report) { begun.push_back(report); };
+        const Report whole = composeReport(evaluated, Language(Language::Id::french), options);
+        QCOMPARE(begun.size(), std::size_t(1));
+        const std::vector<Block> &first = begun[0].blocks;
+        QVERIFY(first.size() > 3 && first.size() < whole.blocks.size());
+        QVERIFY(std::equal(first.begin(), first.end(), whole.blocks.begin()));
+        QCOMPARE(begun[0].footerCentre, whole.footerCentre);
+        QCOMPARE(begun[0].title, whole.title);
+    }
+
     void printsNoDigitsOfFloatingPoint_data() { addDocuments(); }
     void printsNoDigitsOfFloatingPoint() {
         QFETCH(QString, name);
