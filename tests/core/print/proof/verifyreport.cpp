@@ -242,7 +242,7 @@ void VerifyReport::anotherVersionMayLayItsPagesOutOtherwise() {
     for (Block &block : report.blocks) {
         auto *table = std::get_if<Table>(&block);
         const auto isResult = [](const std::vector<Cell> &row) {
-            return std::ranges::any_of(row, [](const Cell &cell) { return cell.guard.has_value(); });
+            return std::ranges::any_of(row, [](const Cell &cell) { return cell.extras->guard.has_value(); });
         };
         if (!table || std::ranges::none_of(table->rows, isResult))
             continue;
