@@ -44,7 +44,7 @@ bool isInside(int file) {
     if (size < 0)
         return false;
     path[size] = '\0';
-    return isInside(path);
+    return *path == '/' && isInside(path); // pipes and the like have no path
 }
 
 /// True if this call is to fail.
