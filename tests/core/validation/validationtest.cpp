@@ -78,7 +78,7 @@ void ValidationTest::agreesWithAllReferenceData_data() {
     QTest::newRow("constructed-circles") << 4 * 9;
     QTest::newRow("second/linear-axes") << 3287;
     QTest::newRow("second/rotary-axes") << 519;
-    QTest::newRow("second/circles") << 781;
+    QTest::newRow("second/circles") << 781 - 224;
     QTest::newRow("second/trends") << 90;
     QTest::newRow("second/diagnoses") << 27;
     QTest::newRow("second/drift-tests") << 117;
@@ -91,7 +91,11 @@ void ValidationTest::agreesWithAllReferenceData_data() {
 
 void ValidationTest::agreesWithAllReferenceData() {
     QFETCH(int, values);
-    const SetValidation result = validate(embedded(QTest::currentDataTag()));
+    const QString name = QTest::currentDataTag();
+    ReferenceSet set = embedded(name);
+    if (name == "second/circles") // takes as long as all others; `selftest` and the window simulate them
+        set = withoutSimulations(std::move(set));
+    const SetValidation result = validate(set);
     QCOMPARE(int(result.comparisons.size()), values);
     for (const Comparison &comparison : result.comparisons)
         QVERIFY2(comparison.agrees, qPrintable(QString("%1: %2 %3, not %4")
