@@ -10,20 +10,23 @@ namespace palmer {
 
 namespace {
 
-thread_local bool paintsWindows = false;
+bool &paintsWindows() {
+    thread_local bool paints = false;
+    return paints;
+}
 
 } // namespace
 
 WindowThread::WindowThread() {
-    paintsWindows = true;
+    paintsWindows() = true;
 }
 
 WindowThread::~WindowThread() {
-    paintsWindows = false;
+    paintsWindows() = false;
 }
 
 void requireBackground([[maybe_unused]] std::size_t readings) {
-    assert((!paintsWindows || readings <= fewReadings) && "long work on the thread of the windows");
+    assert((!paintsWindows() || readings <= fewReadings) && "long work on the thread of the windows");
 }
 
 void requireBackground(const Document &document) {

@@ -382,6 +382,14 @@ void addAnnexOfReport(Report &report, const std::vector<TestPart> &parts, const 
         addDiagnosisOf(blocks, first);
 }
 
+void announceFirstPage(const Report &report, const ReportOptions &options) {
+    if (!options.onFirstPage)
+        return;
+    Report first = report;
+    thinFigures(first.blocks);
+    options.onFirstPage(first);
+}
+
 } // namespace
 
 Report composeReport(const EvaluatedDocument &given, const Language &language, const ReportOptions &options) {
@@ -422,29 +430,22 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
     const std::vector<TestPart> parts = testParts(evaluated, write, views, report.making.annex);
     const bool several = parts.size() > 1;
     std::vector<Block> &blocks = report.blocks;
-    const auto begun = [&] {
-        if (!options.onFirstPage)
-            return;
-        Report first = report;
-        thinFigures(first.blocks);
-        options.onFirstPage(first);
-    };
     if (hasSheet) {
         addSheet(blocks, evaluated, parts, write);
-        begun();
+        announceFirstPage(report, options);
         if (!parts.empty())
             blocks.emplace_back(PageBreak{});
     }
     if (several) {
         addSummary(blocks, parts);
         if (!hasSheet)
-            begun();
+            announceFirstPage(report, options);
         addCertificates(blocks, parts, options.stop);
     } else if (!parts.empty()) {
         blocks.emplace_back(runningHead(parts.front()));
         withKind(parts.front(), [&](const auto &own) { addFirstPage(blocks, own); });
         if (!hasSheet)
-            begun();
+            announceFirstPage(report, options);
         addCertificate(blocks, parts.front());
     } else {
         if (!hasSheet)

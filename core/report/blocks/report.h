@@ -98,10 +98,12 @@ template <class T>
 class Boxed {
 public:
     Boxed() = default;
+    // NOLINTBEGIN(google-explicit-constructor,*-forwarding-reference-overload): is the value
     template <class Value>
-    requires(std::constructible_from<T, Value> && !std::same_as<std::remove_cvref_t<Value>, Boxed>) Boxed(
-        Value &&value) // NOLINT(google-explicit-constructor,*-forwarding-reference-overload): is the value
+    requires(std::constructible_from<T, Value> && !std::same_as<std::remove_cvref_t<Value>, Boxed>)
+        Boxed(Value &&value)
         : m_value(std::make_shared<T>(std::forward<Value>(value))) {}
+    // NOLINTEND(google-explicit-constructor,*-forwarding-reference-overload)
 
     [[nodiscard]] const T &operator*() const {
         static const T usual{};
