@@ -71,6 +71,7 @@
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QSettings>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTime>
@@ -921,6 +922,7 @@ bool MainWindow::saveAs() {
 
 bool MainWindow::saveTo(const QString &path) {
     try {
+        const QSignalBlocker own(m_watch); // the window is painted meanwhile and would see its file change
         if (keepsBackups() && QFileInfo::exists(path))
             awaited([&] { saveBytes(readBytes(path), path + QStringLiteral(".bak")); });
         m_model.save(path);
