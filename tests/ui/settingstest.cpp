@@ -4,6 +4,8 @@
 
 #include "ui/model/settings.h"
 
+#include "fulldisk.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -12,8 +14,6 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
-#include <csignal>
-#include <sys/resource.h>
 
 class SettingsTest : public QObject {
     Q_OBJECT
@@ -71,15 +71,12 @@ private slots:
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray before = file.readAll();
         file.close();
-        std::signal(SIGXFSZ, SIG_IGN);
-        rlimit unlimited{};
-        ::getrlimit(RLIMIT_FSIZE, &unlimited);
         for (rlim_t limit = 0; limit < 2000; limit += 333) {
-            const rlimit less{limit, unlimited.rlim_max};
-            ::setrlimit(RLIMIT_FSIZE, &less);
-            settings.setValue("recent", QString(1990 + static_cast<int>(limit), 'y'));
-            settings.sync();
-            ::setrlimit(RLIMIT_FSIZE, &unlimited);
+            {
+                const FullDisk full(limit);
+                settings.setValue("recent", QString(1990 + static_cast<int>(limit), 'y'));
+                settings.sync();
+            }
             QCOMPARE(settings.status(), QSettings::AccessError);
             QVERIFY(file.open(QIODevice::ReadOnly));
             QCOMPARE(file.readAll(), before);

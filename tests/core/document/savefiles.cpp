@@ -4,6 +4,7 @@
 
 #include "document/savefiles.h"
 #include "document/spool.h"
+#include "fulldisk.h"
 
 #include <QDir>
 #include <QFile>
@@ -199,19 +200,12 @@ private slots:
     }
 
     void aSpoolOnAFullDiskTakesNoMore() {
-        const auto usual = std::signal(SIGXFSZ, SIG_IGN);
-        rlimit before{};
-        QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
-        rlimit small = before;
-        small.rlim_cur = 2'000'000;
-        QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
+        const FullDisk full(2'000'000);
         Spool spool;
         const QByteArray piece(500'000, 'x');
         bool refused = false;
         for (int i = 0; i < 8; ++i)
             refused = refused || spool.write(piece) != piece.size();
-        setrlimit(RLIMIT_FSIZE, &before);
-        std::signal(SIGXFSZ, usual);
         QVERIFY(refused);
     }
 };

@@ -4,6 +4,7 @@
 
 #include "core/print/pdf/reports.h"
 #include "export/resultsjson.h"
+#include "fulldisk.h"
 #include "print/figures/exportfigure.h"
 #include "print/fonts.h"
 #include "print/pdf/pages.h"
@@ -17,7 +18,6 @@
 #include <QHashSeed>
 #include <QPainter>
 #include <QPdfWriter>
-#include <csignal>
 #include <ctime>
 #include <optional>
 #include <qpdf/QPDF.hh>
@@ -25,7 +25,6 @@
 #include <random>
 #include <set>
 #include <sys/mman.h>
-#include <sys/resource.h>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -358,22 +357,15 @@ void WritePdf::longReportsAreDrawnIntoAFile() {
 
 /// While the pages are drawn; what is written would be a torso.
 void WritePdf::saysThatThereIsNoRoomForThePages() {
-    const auto usual = std::signal(SIGXFSZ, SIG_IGN);
-    rlimit before{};
-    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
-    rlimit small = before;
-    small.rlim_cur = 20'000;
-    QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     std::optional<Error::Kind> said;
     try {
+        const FullDisk full(20'000);
         writePdf(reportOfPages(90), buffer);
     } catch (const Error &error) {
         said = error.kind;
     }
-    setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, usual);
     QVERIFY(said == Error::Kind::unwritable);
     QVERIFY(buffer.data().isEmpty());
 }
