@@ -91,6 +91,7 @@ private slots:
     void savesAFileForEachLanguage();
     void doesNotSpeakTheLanguageOfTheWindow();
     void choicesAreEditsOfTheDocument();
+    void choicesTakenBackGiveTheReportOfBefore();
     void aPageOfDiagnosisOnRequest();
     void printsTheFilesEditionAndNoView();
     void prints();
@@ -181,6 +182,34 @@ void ReportDialogTest::choicesAreEditsOfTheDocument() {
     QVERIFY(*window.window->model().document() == *before);
     shown.compose();
     QCOMPARE(shown.dialog.pageCount(), pages);
+}
+
+/// What was composed before is shown again, and never for another document.
+void ReportDialogTest::choicesTakenBackGiveTheReportOfBefore() {
+    const QTemporaryDir folder;
+    const ShownWindow window(examplePath("one-direction"));
+    ShownDialog shown(window);
+    shown.click("reportEnglish");
+    const auto saved = [&] {
+        const QString path = folder.filePath("report.pdf");
+        shown.save(path);
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray whole = saved();
+    QVERIFY(!whole.isEmpty());
+    shown.click("partReadings");
+    const QByteArray without = saved();
+    QVERIFY(without != whole);
+    shown.click("partReadings");
+    QCOMPARE(saved(), whole);
+    window.window->model().edit("rename", [](Document &document) { document.machine.name = "Another"; });
+    shown.compose();
+    const QByteArray renamed = saved();
+    QVERIFY(renamed != whole && renamed != without);
+    window.window->model().undoStack()->undo();
+    shown.compose();
+    QCOMPARE(saved(), whole);
 }
 
 void ReportDialogTest::aPageOfDiagnosisOnRequest() {
