@@ -216,7 +216,7 @@ private slots:
         QCOMPARE(dialog.findChild<QTableWidget *>("testTable")->columnCount(), 5);
     }
 
-    /// Of many tests with one name as many are preselected as a table shows, and each has a name of its own.
+    /// As many tests are preselected as a table shows, and tests of one name are told apart.
     void manyTestsOfAnAxis() {
         Document document;
         for (int i = 0; i < 12; ++i)
@@ -233,6 +233,7 @@ private slots:
         QCOMPARE(names.size(), 12);
         QCOMPARE(chosen, 9); // with the one in view
     }
+
     void withoutTestNothingIsCompared() {
         CompareDialog dialog(evaluate(std::make_shared<Document>()), 0);
         QCOMPARE(dialog.findChild<QTableWidget *>("editionTable")->rowCount(), 0);

@@ -129,7 +129,7 @@ private slots:
         QVERIFY(last > 0);
     }
 
-    /// Of 20 000 readings not every dot is drawn, but none is missing from the picture.
+    /// A strip of 20 000 readings leaves out dots, but shows every place where readings lie.
     void aStripOfManyReadingsShowsWhereTheyAre() {
         Selection selection;
         TargetStripView view(selection);
