@@ -97,7 +97,8 @@ function(compile_together target)
 endfunction()
 
 # compile_quickly(target): what waits for people, disks and databases is optimized a little, which takes a quarter less
-# time. A target of its own, since precompiled headers bring their optimization with them.
+# time. A target of its own, since precompiled headers bring their optimization with them. Tests of it take a third less
+# than with -Og, which inlines no accessor of Qt, and the compiler takes no longer.
 function(compile_quickly target)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Debug,Release>:-O1>)
 endfunction()
