@@ -4,6 +4,7 @@ option(PALMER_SINGLE_SOURCES "One object per source, as ./lint looks at them" OF
 
 # own_names(names source): what a source defines in unnamed namespaces, each with the namespace around it: functions with
 # the types of their parameters, as far as they stand on one line; aliases with their meaning, for equal ones may meet.
+# Where names_alone is set, all that it defines in any namespace, by its name.
 function(own_names names source)
     file(READ ${source} text)
     string(REGEX REPLACE "[][;]" "" text "${text}") # they would part the list
@@ -17,7 +18,7 @@ function(own_names names source)
             set(inside FALSE)
         elseif(line MATCHES "^\nnamespace ([a-z0-9_:]+)")
             set(around ${CMAKE_MATCH_1})
-        elseif(NOT inside OR line MATCHES "^\n(template|using [^=]*$)")
+        elseif((NOT inside AND NOT names_alone) OR line MATCHES "^\n(template|using [^=]*$|[A-Z_]+\\(|[^(=]*::[A-Za-z0-9_]+\\()")
             continue()
         elseif(line MATCHES "^\n((struct|class|enum class|enum) [A-Za-z0-9_]+|using [A-Za-z0-9_]+ = .*)")
             list(APPEND found "${around} ${CMAKE_MATCH_1}")
@@ -29,6 +30,9 @@ function(own_names names source)
             list(APPEND found "${around} ${function}${types}")
         endif()
     endforeach()
+    if(names_alone)
+        list(TRANSFORM found REPLACE "^[^ ]* (struct |class |enum class |enum |using )?([A-Za-z0-9_]+).*" "\\2")
+    endif()
     list(REMOVE_DUPLICATES found)
     set(${names} "${found}" PARENT_SCOPE)
 endfunction()

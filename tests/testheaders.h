@@ -21,6 +21,10 @@
 #include <variant>
 #include <vector>
 
+#ifdef PALMER_TEST_PROGRAM
+#include "testprogram.h"
+#endif
+
 #undef QTRY_VERIFY
 #define QTRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, patience)
 #undef QTRY_VERIFY2

@@ -17,22 +17,9 @@
 
 namespace {
 
-using palmer::testdata::CliResult;
-using palmer::testdata::runCli;
+using namespace palmer::testdata;
 
 const QString examples = QStringLiteral(EXAMPLES);
-
-QByteArray contents(const QString &name) {
-    QFile file(name);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
-}
-
-void write(const QString &name, const QByteArray &bytes) {
-    QDir().mkpath(QFileInfo(name).path());
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        qFatal("cannot write %s", qPrintable(name));
-}
 
 QJsonObject object(const QByteArray &json) {
     return QJsonDocument::fromJson(json).object();

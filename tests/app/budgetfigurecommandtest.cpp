@@ -8,15 +8,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+using namespace palmer::testdata;
+
 namespace {
 
 palmer::testdata::CliResult run(const QStringList &arguments) {
-    return palmer::testdata::runCli(arguments);
-}
-
-QByteArray contents(const QString &name) {
-    QFile in(name);
-    return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+    return runCli(arguments);
 }
 
 } // namespace

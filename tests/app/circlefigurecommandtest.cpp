@@ -9,10 +9,12 @@
 #include <QTest>
 #include <cmath>
 
+using namespace palmer::testdata;
+
 namespace {
 
 palmer::testdata::CliResult run(const QStringList &arguments) {
-    return palmer::testdata::runCli(arguments);
+    return runCli(arguments);
 }
 
 QByteArray arc(const char *sense) {
@@ -31,11 +33,6 @@ QByteArray file(const QByteArray &arcs) {
     return R"({"format": "palmer test report", "version": 1, "tests": [{"kind": "circular",
         "edition": "ISO 230-4:2005", "plane": {"first": "Z", "second": "X"}, "nominalRadius": 100, "arcs": [)" +
            arcs + "]}]}";
-}
-
-QByteArray contents(const QString &name) {
-    QFile in(name);
-    return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
 }
 
 } // namespace

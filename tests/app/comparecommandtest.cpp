@@ -211,8 +211,8 @@ void CompareCommandTest::itsJsonIsThatOfItsSchema() {
     file.close();
     QProcess validator;
     validator.start("/usr/bin/python3",
-                    {QStringLiteral(SOURCE "/tests/core/document/validate.py"),
-                     QStringLiteral(SOURCE "/resources/schema/palmer-comparison-1.schema.json"),
+                    {QStringLiteral(PALMER_SOURCE_DIR "/tests/core/document/validate.py"),
+                     QStringLiteral(PALMER_SOURCE_DIR "/resources/schema/palmer-comparison-1.schema.json"),
                      file.fileName()});
     QVERIFY(validator.waitForFinished(patience));
     QCOMPARE(validator.readAllStandardOutput().simplified(), QByteArray("1 1 1 1"));

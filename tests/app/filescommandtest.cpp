@@ -18,21 +18,10 @@
 
 namespace {
 
-using palmer::testdata::CliResult;
+using namespace palmer::testdata;
 
 const QString example = QStringLiteral(EXAMPLES "iso230-2-1988-example.palmer");
 const QString measured = QStringLiteral(DATA "rtl/typical.rtl");
-
-QByteArray contents(const QString &name) {
-    QFile file(name);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
-}
-
-void write(const QString &name, const QByteArray &bytes) {
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        qFatal("cannot write %s", qPrintable(name));
-}
 
 /// The program where no file may grow beyond `limit` bytes, as on a disk that fills up.
 CliResult runWithin(qsizetype limit, const QStringList &arguments) {
@@ -71,7 +60,7 @@ private slots:
         const QTemporaryDir folder;
         const QString file = folder.filePath(output);
         command += {"-o", file};
-        QCOMPARE(palmer::testdata::runCli(command).code, 0);
+        QCOMPARE(runCli(command).code, 0);
         const qsizetype size = contents(file).size();
         const QByteArray before(30'000, 'o');
         std::vector<qsizetype> limits{size - 1, size, 40 * 1024};
@@ -95,7 +84,7 @@ private slots:
         const std::array files{folder.filePath("r.fr.pdf"), folder.filePath("r.en.pdf")};
         for (const char *order : {"fr,en", "en,fr"}) {
             const QStringList command{"report", example, "--language", order, "-o", out};
-            QCOMPARE(palmer::testdata::runCli(command).code, 0);
+            QCOMPARE(runCli(command).code, 0);
             const std::array sizes{contents(files[0]).size(), contents(files[1]).size()};
             QVERIFY(sizes[0] != sizes[1]); // so that a limit lies between
             const auto [small, large] = std::minmax(sizes[0], sizes[1]);
@@ -156,7 +145,7 @@ private slots:
             QStringList words = command;
             words.replaceInStrings("IN", input);
             words.replaceInStrings("OUT", output);
-            const CliResult result = palmer::testdata::runCli(words);
+            const CliResult result = runCli(words);
             QCOMPARE(result.code, 2);
             QCOMPARE(result.err.count('\n'), 1);
             QCOMPARE(contents(input), before);
@@ -168,8 +157,8 @@ private slots:
         const QTemporaryDir folder;
         const QString input = folder.filePath("r.en.pdf"); // a test file under a name that deceives
         write(input, contents(example));
-        const CliResult result = palmer::testdata::runCli(
-            {"report", input, "--language", "fr,en", "-o", folder.filePath("r.pdf"), "--force"});
+        const CliResult result =
+            runCli({"report", input, "--language", "fr,en", "-o", folder.filePath("r.pdf"), "--force"});
         QCOMPARE(result.code, 2);
         QCOMPARE(contents(input), contents(example));
         QVERIFY(!QFile::exists(folder.filePath("r.fr.pdf"))); // nothing is half done
@@ -194,7 +183,7 @@ private slots:
         QFETCH(QStringList, own);
         const QTemporaryDir folder;
         const auto run = [&](const QString &name, const QStringList &more) {
-            return palmer::testdata::runCli(command + QStringList{"-o", folder.filePath(name)} + more).code;
+            return runCli(command + QStringList{"-o", folder.filePath(name)} + more).code;
         };
         for (const QString ending : {"palmer", "csv", "pdf", "json", "nc", "xlsx", "svg", "PDF", "Palmer"}) {
             const bool isOwn = own.contains(ending.toLower());
@@ -221,17 +210,15 @@ private slots:
 
     void devicesStayWhatTheyAre() {
         for (const char *output : {"-", "/dev/stdout"}) {
-            const CliResult result =
-                palmer::testdata::runCli({"export", example, "--as", "csv", "-o", output});
+            const CliResult result = runCli({"export", example, "--as", "csv", "-o", output});
             QCOMPARE(result.code, 0);
             QVERIFY(result.out.size() > 1000);
         }
-        const CliResult full =
-            palmer::testdata::runCli({"export", example, "--as", "csv", "-o", "/dev/full"});
+        const CliResult full = runCli({"export", example, "--as", "csv", "-o", "/dev/full"});
         QCOMPARE(full.code, 3);
         QCOMPARE(full.err.count('\n'), 1);
         QVERIFY(full.err.contains("the device is full"));
-        QCOMPARE(palmer::testdata::runCli({"export", example, "--as", "csv", "-o", "/dev/null"}).code, 0);
+        QCOMPARE(runCli({"export", example, "--as", "csv", "-o", "/dev/null"}).code, 0);
         // A pipe, read by another program.
         const QTemporaryDir folder;
         const QString pipe = folder.filePath("pipe");
@@ -263,7 +250,7 @@ private slots:
                   QStringList{"export", file, "--as", "csv", "-o", folder.filePath("x.csv")},
                   QStringList{"report", file, "-o",
                               folder.filePath(file == folder.path() ? "reports" : "x.pdf")}}) {
-                const CliResult result = palmer::testdata::runCli(command);
+                const CliResult result = runCli(command);
                 QCOMPARE(result.code, 3);
                 QCOMPARE(result.err.count('\n'), 1);
             }
@@ -291,7 +278,7 @@ private slots:
             const QString path = folder.filePath(name);
             for (qsizetype i = 0; i < damaged.size(); ++i) {
                 write(path, damaged[i]);
-                const CliResult result = palmer::testdata::runCli({"evaluate", path});
+                const CliResult result = runCli({"evaluate", path});
                 QVERIFY2(result.code == 3, qPrintable(QString::number(i) + result.out));
                 QCOMPARE(result.err.count('\n'), 1);
                 if (i >= 5)
@@ -301,7 +288,7 @@ private slots:
                       QStringList{"import", path, "--set", "format=table", "-o", folder.filePath("o")},
                       QStringList{"export", path, "--as", "csv", "-o", folder.filePath("o")},
                       QStringList{"report", path, "-o", folder.filePath("o")}})
-                    QCOMPARE(palmer::testdata::runCli(command).code, 3);
+                    QCOMPARE(runCli(command).code, 3);
                 QVERIFY(!QFile::exists(folder.filePath("o")));
             }
         }

@@ -12,6 +12,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+using namespace palmer::testdata;
+
 namespace {
 
 struct Result {
@@ -24,21 +26,8 @@ Result run(const QStringList &arguments, const QByteArray &input = {}, const QSt
     std::map<QString, QString> environment;
     if (!configuration.isEmpty())
         environment["XDG_CONFIG_HOME"] = configuration;
-    const auto result = palmer::testdata::runCli(arguments, input, environment);
+    const auto result = runCli(arguments, input, environment);
     return {result.code, result.out, result.err};
-}
-
-QByteArray contents(const QString &name) {
-    QFile file(name);
-    if (!file.open(QIODevice::ReadOnly))
-        qFatal("cannot read %s", qPrintable(name));
-    return file.readAll();
-}
-
-void write(const QString &name, const QByteArray &bytes) {
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        qFatal("cannot write %s", qPrintable(name));
 }
 
 QJsonObject document(const QString &name) {

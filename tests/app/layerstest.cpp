@@ -21,7 +21,7 @@ private slots:
 
 namespace {
 
-const QString root = QStringLiteral(PROJECT);
+const QString root = QStringLiteral(PALMER_SOURCE_DIR);
 
 /// A folder below the project and the folders whose headers it may include, as they are written in includes.
 /// Its own are always allowed; each of the others is used.

@@ -34,7 +34,7 @@ QByteArray bytesOf(const QString &path) {
 }
 
 QByteArray workbook() {
-    return bytesOf(WORKBOOKS "cover-and-hidden.xlsx");
+    return bytesOf(DATA "workbooks/cover-and-hidden.xlsx");
 }
 
 QByteArray reportPdf() {
@@ -145,7 +145,7 @@ private slots:
             return;
         }
         const QByteArray zip = workbook();
-        const QByteArray pdf = bytesOf(REPORT);
+        const QByteArray pdf = bytesOf(PALMER_SOURCE_DIR "/tests/fuzz/corpus/reportpdf/report.pdf");
         QVERIFY(!zip.isEmpty() && !pdf.isEmpty());
         const auto demand = [](const std::function<void()> &attempt, Error::Kind kind) {
             const auto refused = refusal(attempt);

@@ -14,8 +14,7 @@
 #include <algorithm>
 #include <map>
 
-using palmer::testdata::CliResult;
-using palmer::testdata::runCli;
+using namespace palmer::testdata;
 
 namespace {
 
@@ -45,12 +44,6 @@ QByteArray axisOfFewTrials() {
     if (!file.open(QIODevice::ReadOnly))
         qFatal("cannot read %s", qPrintable(file.fileName()));
     return palmer::testdata::withFewTrials(file.readAll());
-}
-
-void write(const QString &name, const QByteArray &bytes) {
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        qFatal("cannot write %s", qPrintable(name));
 }
 
 QStringList lines(const QStringList &arguments) {
@@ -121,8 +114,9 @@ void OptionEffectTest::initTestCase() {
     QVERIFY(axisOfFewTrials().contains("trials"));
     write(at("drift.palmer"), R"({"format": "palmer test report", "version": 1, "tests": [{"kind": "drift",
         "times": [0, 60], "deviations": [0, 0.001]}]})");
-    QVERIFY(QDir(m_folder.path()).mkdir("reference") &&
-            QFile::copy(SOURCE "/resources/reference/iso230-4-annex-c.json", at("reference/c.json")));
+    QVERIFY(
+        QDir(m_folder.path()).mkdir("reference") &&
+        QFile::copy(PALMER_SOURCE_DIR "/resources/reference/iso230-4-annex-c.json", at("reference/c.json")));
     QCOMPARE(runCli({"synthesize", "circular", "--feed", "1000", "--feed", "500", "--source", "commonLag=6",
                      "-o", at("two.palmer")})
                  .code,
@@ -141,7 +135,7 @@ std::vector<Base> OptionEffectTest::bases() const {
         {"evaluate into a table", {"evaluate", EXAMPLES "rotary-axis.palmer", "--table", "csv"}},
         {"evaluate circles", {"evaluate", at("two.palmer")}},
         {"evaluate a drift test", {"evaluate", at("drift.palmer")}},
-        {"evaluate a measurement", {"evaluate", SOURCE "/doc/x-axis.csv", "--accept"}},
+        {"evaluate a measurement", {"evaluate", PALMER_SOURCE_DIR "/doc/x-axis.csv", "--accept"}},
         {"check", {"check", axis}},
         {"check circles", {"check", at("two.palmer")}},
         {"report", {"report", axis, "--language", "en", "-o", "OUT/r.pdf"}},
@@ -154,7 +148,7 @@ std::vector<Base> OptionEffectTest::bases() const {
         {"explain one", {"explain", at("two.palmer"), "G(b)_XY"}},
         {"compare two tests",
          {"compare", EXAMPLES "x-axis-as-found-as-left.palmer", EXAMPLES "x-axis-as-found-as-left.palmer"}},
-        {"import", {"import", SOURCE "/doc/x-axis.csv", "--accept", "-o", "OUT/i.palmer"}},
+        {"import", {"import", PALMER_SOURCE_DIR "/doc/x-axis.csv", "--accept", "-o", "OUT/i.palmer"}},
         {"targets as text", {"targets", "--travel", "800", "-o", "OUT/t.txt"}},
         {"targets to fill in", {"targets", "--travel", "800", "-o", "OUT/t.palmer"}},
         {"part program",

@@ -11,7 +11,9 @@
 
 namespace {
 
-QString contents(const QString &name) {
+const QString metainfoFile = PALMER_BINARY_DIR "/resources/io.github.palmer_metrology.Palmer.metainfo.xml";
+
+QString textOf(const QString &name) {
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly))
         qFatal("cannot read %s", qPrintable(name));
@@ -19,7 +21,7 @@ QString contents(const QString &name) {
 }
 
 QString inSource(const QString &name) {
-    return contents(SOURCE "/" + name);
+    return textOf(PALMER_SOURCE_DIR "/" + name);
 }
 
 } // namespace
@@ -33,11 +35,11 @@ private slots:
         static const QRegularExpression newest("\n## ([^ ]+) - ([^ \n]+)\n");
         const auto match = newest.match(inSource("CHANGELOG.md"));
         QCOMPARE(match.captured(1), QString(PALMER_VERSION));
-        QCOMPARE(match.captured(2), QString(RELEASED));
+        QCOMPARE(match.captured(2), QString(PALMER_RELEASED));
         QVERIFY(inSource("debian/changelog").startsWith("palmer (" PALMER_VERSION "-"));
         QVERIFY(inSource("python/pyproject.toml").contains("\nversion = \"" PALMER_VERSION "\"\n"));
-        QVERIFY(
-            contents(METAINFO).contains("<release version=\"" PALMER_VERSION "\" date=\"" RELEASED "\"/>"));
+        QVERIFY(textOf(metainfoFile)
+                    .contains("<release version=\"" PALMER_VERSION "\" date=\"" PALMER_RELEASED "\"/>"));
         for (const char *file :
              {"debian/rules", "debian/control", "resources/linux/palmer.mime.xml", "README.md"})
             QVERIFY2(!inSource(file).contains(PALMER_VERSION), file);
@@ -53,7 +55,7 @@ private slots:
     void desktopKnowsTheProgram() {
         const QString id = "io.github.palmer_metrology.Palmer";
         const QString desktop = inSource("resources/linux/" + id + ".desktop");
-        const QString metainfo = contents(METAINFO);
+        const QString metainfo = textOf(metainfoFile);
         QVERIFY(metainfo.contains("<id>" + id + "</id>"));
         QVERIFY(metainfo.contains(">" + id + ".desktop<"));
         QVERIFY(inSource("app/palmer.cpp").contains("setDesktopFileName(QStringLiteral(\"" + id + "\"))"));
@@ -71,7 +73,7 @@ private slots:
         if (program.isEmpty())
             QSKIP("appstreamcli is not installed");
         QProcess process;
-        process.start(program, {"validate", "--pedantic", METAINFO});
+        process.start(program, {"validate", "--pedantic", metainfoFile});
         QVERIFY(process.waitForFinished(patience));
         const QByteArray said = process.readAllStandardOutput() + process.readAllStandardError();
         QVERIFY2(process.exitCode() == 0, said);
@@ -85,8 +87,8 @@ private slots:
     }
     void shellsTakeTheCompletions() {
         QFETCH(const QString, shell);
-        const QString file = SOURCE "/resources/linux/completions/palmer-cli." + shell;
-        QVERIFY(contents(file).contains("palmer-cli --complete "));
+        const QString file = PALMER_SOURCE_DIR "/resources/linux/completions/palmer-cli." + shell;
+        QVERIFY(textOf(file).contains("palmer-cli --complete "));
         const QString program = QStandardPaths::findExecutable(shell);
         if (program.isEmpty())
             QSKIP("the shell is not installed");

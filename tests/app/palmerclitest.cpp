@@ -16,6 +16,8 @@
 #include <unistd.h>
 #include <utility>
 
+using namespace palmer::testdata;
+
 namespace {
 
 struct Result {
@@ -25,19 +27,12 @@ struct Result {
 };
 
 Result run(const QStringList &arguments, const QByteArray &input = {}, const QString &locale = "C") {
-    const auto result = palmer::testdata::runCli(arguments, input, {{"LC_ALL", locale}});
+    const auto result = runCli(arguments, input, {{"LC_ALL", locale}});
     return {result.code, result.out, result.err};
 }
 
 QString example(const QString &name) {
     return EXAMPLES + name + ".palmer";
-}
-
-QByteArray contents(const QString &name) {
-    QFile file(name);
-    if (!file.open(QIODevice::ReadOnly))
-        qFatal("cannot read %s", qPrintable(name));
-    return file.readAll();
 }
 
 /// A small test with A = 4 µm, and what is put beside it.
@@ -459,7 +454,7 @@ void PalmerCliTest::takesAFolderOfReferenceData() {
     Result result = run({"selftest", folder.path()});
     QCOMPARE(result.code, 3);
     QVERIFY2(result.err.contains("no reference data"), qPrintable(result.err));
-    QFile published(SOURCE "/resources/reference/constructed.json");
+    QFile published(PALMER_SOURCE_DIR "/resources/reference/constructed.json");
     QVERIFY(published.open(QIODevice::ReadOnly));
     const QByteArray good = published.readAll();
     write("good.json", good);

@@ -14,7 +14,7 @@ namespace {
 
 /// Links to the resources, but copies of the examples: their budgets are simulated with few trials.
 bool laysResources(const QString &folder) {
-    const QDir all(QStringLiteral(SOURCE "/resources"));
+    const QDir all(QStringLiteral(PALMER_SOURCE_DIR "/resources"));
     if (!QDir().mkpath(folder + "/examples"))
         return false;
     for (const QString &part : all.entryList(QDir::AllEntries | QDir::NoDotAndDotDot)) {
@@ -50,7 +50,7 @@ void ReadmeTest::everyCommandDoesWhatItSays() {
     QByteArray text;
     for (const char *page :
          {"README.md", "doc/files.md", "doc/register.md", "doc/verification.md", "doc/scope.md"}) {
-        QFile file(QStringLiteral(SOURCE "/") + page);
+        QFile file(QStringLiteral(PALMER_SOURCE_DIR "/") + page);
         QVERIFY2(file.open(QIODevice::ReadOnly), page);
         const QByteArray bytes = file.readAll();
         QVERIFY(page != QByteArray("README.md") || bytes.count('\n') <= 150);
@@ -58,7 +58,7 @@ void ReadmeTest::everyCommandDoesWhatItSays() {
     }
     QTemporaryDir folder;
     for (const char *part : {"tests", "doc"})
-        QVERIFY(QFile::link(QStringLiteral(SOURCE "/") + part, folder.filePath(part)));
+        QVERIFY(QFile::link(QStringLiteral(PALMER_SOURCE_DIR "/") + part, folder.filePath(part)));
     QVERIFY(laysResources(folder.filePath("resources")));
     int commands = 0;
     const QString begin = "    build/release/bin/palmer-cli ";

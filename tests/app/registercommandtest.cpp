@@ -17,21 +17,9 @@
 #include <random>
 #include <sys/resource.h>
 
-using palmer::testdata::CliResult;
-using palmer::testdata::runCli;
+using namespace palmer::testdata;
 
 namespace {
-
-QByteArray contents(const QString &name) {
-    QFile file(name);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
-}
-
-void write(const QString &name, const QByteArray &bytes) {
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        qFatal("cannot write %s", qPrintable(name));
-}
 
 std::vector<QJsonObject> objects(const QByteArray &lines) {
     std::vector<QJsonObject> result;
@@ -57,8 +45,8 @@ class RegisterCommandTest : public QObject {
 private slots:
     void initTestCase() {
         QProcess script;
-        script.start("python3", {QStringLiteral(SOURCE "/tests/benchmarks/registerfiles.py"), files(),
-                                 "--files", "240", "--machines", "6", "--circles"});
+        script.start("python3", {QStringLiteral(PALMER_SOURCE_DIR "/tests/benchmarks/registerfiles.py"),
+                                 files(), "--files", "240", "--machines", "6", "--circles"});
         QVERIFY(script.waitForFinished(patience));
         QCOMPARE(script.exitCode(), 0);
         m_register = m_files.filePath("scanned.sqlite");
@@ -333,11 +321,11 @@ void RegisterCommandTest::joinAndInterval() {
     QCOMPARE(kept["format"].toString(), QString("palmer machines"));
     QCOMPARE(kept["machines"].toArray().size(), 1);
     QProcess check;
-    check.start("python3",
-                {"-c",
-                 "import json, sys, jsonschema; jsonschema.validate(json.load(open(sys.argv[1])), "
-                 "json.load(open(sys.argv[2])))",
-                 folder + "/palmer-machines.json", SOURCE "/resources/schema/palmer-machines-1.schema.json"});
+    check.start("python3", {"-c",
+                            "import json, sys, jsonschema; jsonschema.validate(json.load(open(sys.argv[1])), "
+                            "json.load(open(sys.argv[2])))",
+                            folder + "/palmer-machines.json",
+                            PALMER_SOURCE_DIR "/resources/schema/palmer-machines-1.schema.json"});
     QVERIFY(check.waitForFinished(patience));
     QVERIFY2(check.exitCode() == 0, check.readAllStandardError());
     QCOMPARE(reg({"interval", "1", "0"}).code, 0);
@@ -617,7 +605,7 @@ void RegisterCommandTest::aHistoryProvesItself() {
 
 /// Above every trend stands the quantity that exceeds its limit now, with value, U and limit.
 void RegisterCommandTest::whatIsExceededComesFirst() {
-    QFile example(QStringLiteral(SOURCE "/resources/examples/rotary-axis.palmer"));
+    QFile example(QStringLiteral(PALMER_SOURCE_DIR "/resources/examples/rotary-axis.palmer"));
     QVERIFY(example.open(QIODevice::ReadOnly));
     QJsonObject file = QJsonDocument::fromJson(example.readAll()).object();
     QJsonArray tests = file["tests"].toArray();
@@ -681,7 +669,7 @@ void RegisterCommandTest::theNumberOfAHistory() {
 
 void RegisterCommandTest::theTypeOnPaper() {
     QProcess script;
-    script.start("python3", {QStringLiteral(SOURCE "/tests/benchmarks/registerfiles.py"),
+    script.start("python3", {QStringLiteral(PALMER_SOURCE_DIR "/tests/benchmarks/registerfiles.py"),
                              m_dir->filePath("types"), "--files", "54", "--machines", "9"});
     QVERIFY(script.waitForFinished(patience));
     QCOMPARE(reg({"scan", m_dir->filePath("types")}).code, 0);
@@ -698,7 +686,8 @@ void RegisterCommandTest::theTypeOnPaper() {
 void RegisterCommandTest::whatChangedSinceTheLastTest() {
     const QString folder = m_dir->filePath("changes");
     QVERIFY(QDir().mkdir(folder) &&
-            QFile::copy(SOURCE "/resources/examples/x-axis-as-found-as-left.palmer", folder + "/x.palmer"));
+            QFile::copy(PALMER_SOURCE_DIR "/resources/examples/x-axis-as-found-as-left.palmer",
+                        folder + "/x.palmer"));
     QCOMPARE(reg({"scan", folder}).code, 0);
     const auto plain = objects(reg({"list", "--json"}).out);
     QVERIFY(plain.at(1)["sinceLast"].isNull());
@@ -755,7 +744,7 @@ void RegisterCommandTest::whatChangedSinceTheLastTest() {
 }
 
 void RegisterCommandTest::theTypeOfFiles() {
-    const QString folder = SOURCE "/resources/typetest";
+    const QString folder = PALMER_SOURCE_DIR "/resources/typetest";
     const auto type = [&](const QStringList &words) {
         return runCli(QStringList{"register", "type", "--parameter", "A"} + words);
     };
@@ -776,7 +765,8 @@ void RegisterCommandTest::theTypeOfFiles() {
                  .size(),
              3);
     QCOMPARE(type({folder, "--type", "none"}).code, 2);
-    QCOMPARE(type({folder, SOURCE "/resources/examples/rotary-axis.palmer"}).code, 2); // another type
+    QCOMPARE(type({folder, PALMER_SOURCE_DIR "/resources/examples/rotary-axis.palmer"}).code,
+             2); // another type
     QCOMPARE(type({folder, "--register", m_dir->filePath("r.sqlite")}).code, 2);
     const CliResult missing = type({folder, m_dir->filePath("missing.palmer")});
     QCOMPARE(missing.code, 3);
@@ -798,7 +788,7 @@ void RegisterCommandTest::eachPartHasItsHelp() {
 
 void RegisterCommandTest::theTestOfAType() {
     QProcess script; // three machines of each maker
-    script.start("python3", {QStringLiteral(SOURCE "/tests/benchmarks/registerfiles.py"),
+    script.start("python3", {QStringLiteral(PALMER_SOURCE_DIR "/tests/benchmarks/registerfiles.py"),
                              m_dir->filePath("types"), "--files", "54", "--machines", "9"});
     QVERIFY(script.waitForFinished(patience));
     QCOMPARE(reg({"scan", m_dir->filePath("types")}).code, 0);
@@ -843,9 +833,9 @@ void RegisterCommandTest::theTestOfAType() {
 
     write(m_dir->filePath("types.jsonl"), json.out);
     QProcess validator;
-    validator.start("python3",
-                    {SOURCE "/tests/core/document/validate.py",
-                     SOURCE "/resources/schema/palmer-type-1.schema.json", m_dir->filePath("types.jsonl")});
+    validator.start("python3", {PALMER_SOURCE_DIR "/tests/core/document/validate.py",
+                                PALMER_SOURCE_DIR "/resources/schema/palmer-type-1.schema.json",
+                                m_dir->filePath("types.jsonl")});
     QVERIFY(validator.waitForFinished(patience));
     QCOMPARE(validator.readAllStandardOutput(), QByteArray("1\n1\n1\n"));
 

@@ -13,19 +13,14 @@
 
 namespace {
 
-using palmer::testdata::CliResult;
+using namespace palmer::testdata;
 
 CliResult run(const QStringList &arguments, const QString &locale = "C", const QString &zone = "UTC") {
-    return palmer::testdata::runCli(arguments, {}, {{"LC_ALL", locale}, {"TZ", zone}});
+    return runCli(arguments, {}, {{"LC_ALL", locale}, {"TZ", zone}});
 }
 
 const QString example = EXAMPLES "iso230-2-1988-example.palmer";
 const QString rejected = DOCUMENTS "limits-2006.palmer";
-
-QByteArray contents(const QString &name) {
-    QFile file(name);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 } // namespace
 
@@ -125,7 +120,7 @@ void ReportCommandTest::sameBytesAnywhere() {
         run(command + QStringList{here});
         QTest::qWait(1100);
         run(command + QStringList{there}, "fr_FR.UTF-8", "Asia/Tokyo");
-        QVERIFY(!contents(here).isEmpty());
+        QVERIFY(contents(here).startsWith("%PDF"));
         QVERIFY(contents(here) == contents(there));
     }
 }
@@ -163,8 +158,8 @@ void ReportCommandTest::noFontOfTheSystemIsTaken() {
                 .toUtf8());
         configuration.close();
         const QString out = folder.filePath("r.pdf");
-        QCOMPARE(palmer::testdata::runCli({"report", example, "--language", "fr", "-o", out}, {},
-                                          {{"FONTCONFIG_FILE", configuration.fileName()}})
+        QCOMPARE(runCli({"report", example, "--language", "fr", "-o", out}, {},
+                        {{"FONTCONFIG_FILE", configuration.fileName()}})
                      .code,
                  0);
         reports << contents(out);

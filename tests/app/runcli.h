@@ -3,6 +3,9 @@
 #pragma once
 
 #include <QByteArray>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QString>
@@ -37,6 +40,20 @@ inline CliResult runCli(const QStringList &arguments, const QByteArray &input = 
     if (!process.waitForFinished(patience) || process.exitStatus() != QProcess::NormalExit)
         qFatal("palmer-cli did not end by itself");
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+/// The bytes of a file, or "cannot be read".
+inline QByteArray contents(const QString &path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
+}
+
+/// Ends the test where it cannot be written. Makes its folder.
+inline void write(const QString &path, const QByteArray &bytes) {
+    QDir().mkpath(QFileInfo(path).path());
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("cannot write %s", qPrintable(path));
 }
 
 } // namespace palmer::testdata

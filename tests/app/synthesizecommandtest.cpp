@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
+#include "app/runcli.h"
 #include "runcli.h"
 
 #include <QFile>
@@ -12,8 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-using palmer::testdata::CliResult;
-using palmer::testdata::runCli;
+using namespace palmer::testdata;
 
 namespace {
 
@@ -23,11 +23,6 @@ QJsonObject jsonOf(const QByteArray &bytes) {
     if (error.error != QJsonParseError::NoError)
         qWarning("no JSON: %s", qPrintable(error.errorString()));
     return result;
-}
-
-QByteArray contents(const QString &path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace

@@ -15,22 +15,10 @@
 
 namespace {
 
-using palmer::testdata::CliResult;
-using palmer::testdata::runCli;
+using namespace palmer::testdata;
 
 const QString example = QStringLiteral(EXAMPLES "iso230-2-1988-example.palmer");
 const QString imported = QStringLiteral(DATA "rtl/typical.rtl");
-
-QByteArray contents(const QString &name) {
-    QFile file(name);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void write(const QString &name, const QByteArray &bytes) {
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        qFatal("cannot write %s", qPrintable(name));
-}
 
 QByteArray output(const QString &program, const QStringList &arguments) {
     QProcess process;

@@ -131,7 +131,7 @@ void FaultsTest::oldOrNew_data() {
     const QString circle = "teaching-01-centre.palmer";
     const QStringList none;
     const QStringList import{cli, "import", "inches.txt", "--accept"};
-    const QString table = TABLES "inches.txt";
+    const QString table = DATA "tables/inches.txt";
     QTest::newRow("a new test file") << QStringList{table} << none
                                      << import + QStringList{"-o", "out.palmer"};
     QTest::newRow("an existing test file")

@@ -62,7 +62,7 @@ private slots:
         const QRawFont signs(u":/signs/PalmerSigns.ttf"_s, 10);
         QCOMPARE(QFont::substitutes(QApplication::font().family()), {signs.familyName().toLower()});
         int found = 0;
-        QDirIterator sources(QStringLiteral(SOURCE "/ui"), {u"*.cpp"_s}, QDir::Files,
+        QDirIterator sources(QStringLiteral(PALMER_SOURCE_DIR "/ui"), {u"*.cpp"_s}, QDir::Files,
                              QDirIterator::Subdirectories);
         while (sources.hasNext()) {
             QFile source(sources.next());
@@ -117,7 +117,7 @@ private slots:
     }
 };
 
-int main(int argc, char *argv[]) {
+PALMER_TEST(runApplicationTest) {
     qputenv("QT_FONT_DPI", "192");
     qputenv("QT_ENABLE_HIGHDPI_SCALING", "0"); // the fonts alone are larger
     qunsetenv("QT_SCALE_FACTOR");

@@ -24,7 +24,7 @@ namespace {
 
 /// One schema per version.
 QString schemaPath(int version) {
-    return QStringLiteral(PALMER_SCHEMAS "/palmer-%1.schema.json").arg(version);
+    return QStringLiteral(PALMER_BINARY_DIR "/resources/schema/palmer-%1.schema.json").arg(version);
 }
 
 /// The complete file with every field of this version.

@@ -17,7 +17,7 @@ using namespace palmer;
 namespace {
 
 EvaluatedDocument example(const QString &name) {
-    QFile file(QStringLiteral(EXAMPLES "/%1.palmer").arg(name));
+    QFile file(QStringLiteral(EXAMPLES "%1.palmer").arg(name));
     if (!file.open(QIODevice::ReadOnly))
         qFatal("no example %s", qPrintable(name));
     return evaluate(std::make_shared<const Document>(readDocument(file.readAll())));

@@ -22,7 +22,7 @@ constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr Text limitSentence = REPORT_TEXT("report", "%1 is %2, the limit %3");
 constexpr Text accuracy = REPORT_TEXT("report", "accuracy");
 constexpr Text accuracyOf1988 = REPORT_TEXT_FOR("report", "accuracy", "1988");
-constexpr Text readings = REPORT_TEXT_COUNTED("report", "%n reading(s) at %1");
+constexpr Text countedReadings = REPORT_TEXT_COUNTED("report", "%n reading(s) at %1");
 constexpr Text unknown = REPORT_TEXT("report", "a text nobody translated: %1 %2 %9 %n %");
 constexpr Text unknownPlural = REPORT_TEXT_COUNTED("report", "%n target(s) nobody translated");
 constexpr Text march = REPORT_TEXT("report", "March");
@@ -30,7 +30,8 @@ constexpr Text march = REPORT_TEXT("report", "March");
 /// The language with the small catalogue of this test.
 Language words(Language::Id id) {
     auto catalogue = std::make_shared<QTranslator>();
-    const bool loaded = catalogue->load(QString(WORDS) + (id == Language::Id::french ? "fr.qm" : "en.qm"));
+    const bool loaded = catalogue->load(QString(PALMER_BINARY_DIR "/tests/words_") +
+                                        (id == Language::Id::french ? "fr.qm" : "en.qm"));
     if (!loaded)
         qFatal("no catalogue for the test");
     return Language(id, catalogue);
@@ -114,11 +115,11 @@ void LanguageTest::tellsTextsWithoutTranslation() {
     QVERIFY(!fr.hasTranslation(unknown));
     QVERIFY(fr.hasTranslation(accuracy));
     QVERIFY(fr.hasTranslation(accuracyOf1988));
-    QVERIFY(fr.hasTranslation(readings));
+    QVERIFY(fr.hasTranslation(countedReadings));
     QVERIFY2(en.hasTranslation(accuracy), "the source is English");
-    QVERIFY(en.hasTranslation(readings));
+    QVERIFY(en.hasTranslation(countedReadings));
     QVERIFY2(!en.hasTranslation(unknownPlural), "English plurals do need a translation");
-    QVERIFY(!french.hasTranslation(readings));
+    QVERIFY(!french.hasTranslation(countedReadings));
 }
 
 void LanguageTest::fillsSentences() {
@@ -161,7 +162,7 @@ void LanguageTest::choosesThePlural_data() {
 
 void LanguageTest::choosesThePlural() {
     QFETCH(int, count);
-    const Message message{readings, {std::string("X")}, count};
+    const Message message{countedReadings, {std::string("X")}, count};
     QTEST(words(Language::Id::english).sentence(message), "inEnglish");
     QTEST(words(Language::Id::french).sentence(message), "inFrench");
 }
@@ -310,7 +311,7 @@ void LanguageTest::isSharedByThreads() {
     const Language shared = words(Language::Id::french);
     const auto speak = [&shared](int &wrong) {
         for (int i = 0; i < 5000; ++i) {
-            const Message message{readings, {Number{0.01625, Quantity::deviation, 1}}, i};
+            const Message message{countedReadings, {Number{0.01625, Quantity::deviation, 1}}, i};
             const QString expected = QString("%1 relevé%2 en 16,2\u00A0µm")
                                          .arg(shared.number(i, Quantity::count, 0), i > 1 ? "s" : "");
             wrong += shared.sentence(message) == expected ? 0 : 1;

@@ -153,7 +153,7 @@ void RoundingTest::agreesWithExactDecimals() {
                      std::snprintf(line.data(), line.size(), "%a %d %d\n", value, shift, decimals.back()));
     }
     QProcess python;
-    python.start(PYTHON, {"-c", exactRounding});
+    python.start("/usr/bin/python3", {"-c", exactRounding});
     QVERIFY(python.waitForStarted());
     python.write(input);
     python.closeWriteChannel();

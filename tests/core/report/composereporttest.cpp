@@ -40,8 +40,8 @@ QByteArray content(const QString &path) {
 }
 
 std::shared_ptr<const Document> document(const QString &name) {
-    const QString own = QString(DOCUMENTS) + u'/' + name + ".palmer";
-    const QString path = QFile::exists(own) ? own : QString(EXAMPLES) + u'/' + name + ".palmer";
+    const QString own = QString(DOCUMENTS) + name + ".palmer";
+    const QString path = QFile::exists(own) ? own : QString(EXAMPLES) + name + ".palmer";
     return std::make_shared<const Document>(readDocument(content(path)));
 }
 
@@ -215,7 +215,7 @@ QSet<QString> wordsOf(const QString &text) {
 
 /// All words of the English sources and of the French translations of the catalogue.
 std::pair<QSet<QString>, QSet<QString>> catalogueWords() {
-    QXmlStreamReader xml(content(QString(CATALOGUES) + "/report_fr.ts"));
+    QXmlStreamReader xml(content(QString(PALMER_SOURCE_DIR) + "/translations/report_fr.ts"));
     QSet<QString> english;
     QSet<QString> french;
     while (!xml.atEnd()) {
@@ -226,7 +226,7 @@ std::pair<QSet<QString>, QSet<QString>> catalogueWords() {
         else if (xml.name() == u"translation" || xml.name() == u"numerusform")
             french += wordsOf(xml.readElementText(QXmlStreamReader::IncludeChildElements));
     }
-    QXmlStreamReader plurals(content(QString(CATALOGUES) + "/report_en.ts"));
+    QXmlStreamReader plurals(content(QString(PALMER_SOURCE_DIR) + "/translations/report_en.ts"));
     while (!plurals.atEnd()) {
         if (plurals.readNext() == QXmlStreamReader::StartElement && plurals.name() == u"numerusform")
             english += wordsOf(plurals.readElementText());
@@ -291,10 +291,10 @@ private slots:
         QFETCH(QString, language);
         const QString actual = text(document(name), *Language::fromName(language));
         const QString fileName = name + u'.' + language + ".txt";
-        QFile written(QString(ACTUAL) + u'/' + fileName);
+        QFile written(QString(PALMER_BINARY_DIR) + "/tests/" + fileName);
         QVERIFY(written.open(QIODevice::WriteOnly));
         written.write(actual.toUtf8());
-        const QString stored = QString(DOCUMENTS) + u'/' + fileName;
+        const QString stored = QString(DOCUMENTS) + fileName;
         QVERIFY2(QFile::exists(stored), qPrintable(written.fileName() + " is not stored"));
         const QString expected = QString::fromUtf8(content(stored));
         QVERIFY2(actual == expected, qPrintable(written.fileName() + ": " + difference(actual, expected)));
@@ -1195,7 +1195,7 @@ private slots:
 
     void everyKindOfTestHasItsPlace() {
         const auto complete = std::make_shared<const Document>(
-            readDocument(content(QString(DOCUMENTS) + "/../complete.palmer")));
+            readDocument(content(QString(DOCUMENTS) + "../complete.palmer")));
         const QString text = pageText(report(complete, Language(Language::Id::english)));
         QVERIFY(text.contains("Circular test in the "));
         QVERIFY(text.contains("Drift test of the "));

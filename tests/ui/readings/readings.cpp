@@ -108,7 +108,8 @@ private slots:
         view.setStrip(strip, 0);
         view.resize(300, 140);
         const QImage image = view.grab().toImage();
-        const int widest = QFontMetrics(themeFont(TextSize::tiny)).horizontalAdvance(u"−0.33698"_s);
+        const int widest =
+            QFontMetrics(themeFont(palmer::ui::TextSize::tiny)).horizontalAdvance(u"−0.33698"_s);
         const auto isEmpty = [&image](int x) {
             for (int y = image.height() - 16; y < image.height(); ++y) {
                 if (image.pixel(x, y) != image.pixel(0, image.height() - 1))

@@ -806,7 +806,7 @@ private slots:
         QFETCH(DisplayUnits, units);
         QFETCH(bool, rotary);
         if (rotary)
-            QVERIFY(QFile::copy(EXAMPLES "/rotary-axis.palmer", folder() + "/rotary.palmer"));
+            QVERIFY(QFile::copy(EXAMPLES "rotary-axis.palmer", folder() + "/rotary.palmer"));
         setWindowUnits(units);
         const auto restored = qScopeGuard([] { setWindowUnits({}); });
         scan();

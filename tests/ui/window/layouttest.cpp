@@ -116,7 +116,7 @@ void LayoutTest::elevenTargetsAndFiveRunsNeedNoScrolling_data() {
     for (const int height : {800, 772, 748}) {
         QTest::addRow("example, %d", height) << examplePath("iso230-2-1988-example") << QSize(1280, height);
         QTest::addRow("fractions of targets, %d", height)
-            << QStringLiteral(DOCUMENTS "/limits-2006.palmer") << QSize(1280, height);
+            << QStringLiteral(DOCUMENTS "limits-2006.palmer") << QSize(1280, height);
     }
 }
 

@@ -105,7 +105,7 @@ private:
 };
 
 /// The readings of a test as a spreadsheet has them, µm.
-QString readingsOf(const Test &test) {
+QString readingTexts(const Test &test) {
     const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
     QStringList lines;
     for (std::size_t target = 0; target < measurement.targets.size(); ++target) {
@@ -148,7 +148,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(shown.window));
         const auto document = [&]() -> const Document & { return *shown.window->model().document(); };
         const int open = missing(shown, 0);
-        const QString readings = readingsOf(*document().tests[0]);
+        const QString readings = readingTexts(*document().tests[0]);
         const std::size_t repeated = 1;
         Hand hand(shown);
         hand.command("repeatTest");

@@ -26,7 +26,7 @@ using namespace palmer::ui;
 namespace {
 
 QByteArray examplePdf() {
-    const Document document = openDocument(QStringLiteral(EXAMPLES "/rotary-axis.palmer"));
+    const Document document = openDocument(QStringLiteral(EXAMPLES "rotary-axis.palmer"));
     return reportPdf(evaluate(std::make_shared<const Document>(document)), Language::Id::english);
 }
 
@@ -178,7 +178,7 @@ void OpenReportTest::aDamagedReportIsRefused() {
     QVERIFY(!window.find("reportBar")->isVisible());
 }
 
-int main(int argc, char **argv) {
+PALMER_TEST(runOpenReportTest) {
     QHashSeed::setDeterministicGlobalSeed();
     QApplication application(argc, argv);
     OpenReportTest test;

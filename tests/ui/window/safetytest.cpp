@@ -520,7 +520,7 @@ private slots:
         QProcess process;
         process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         process.start(QCoreApplication::applicationFilePath(),
-                      {"--wait", path, "0", QCoreApplication::applicationName()});
+                      {"ui/window/safetytest", "--wait", path, "0", QCoreApplication::applicationName()});
         QVERIFY(process.waitForStarted());
         QByteArray output;
         while (!output.contains("ready") && process.waitForReadyRead(patience))
@@ -606,7 +606,8 @@ private slots:
             QProcess process;
             process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
             process.start(QCoreApplication::applicationFilePath(),
-                          {"--type", path, QString::number(round), QCoreApplication::applicationName()});
+                          {"ui/window/safetytest", "--type", path, QString::number(round),
+                           QCoreApplication::applicationName()});
             QVERIFY(process.waitForStarted());
             QByteArray output;
             // Some are killed at the beginning, perhaps before there is a copy.
@@ -642,7 +643,7 @@ private slots:
     }
 };
 
-int main(int argc, char *argv[]) {
+PALMER_TEST(runSafetyTest) {
     QApplication application(argc, argv);
     prepareApplication();
     const QStringList arguments = QCoreApplication::arguments();

@@ -256,7 +256,7 @@ void ScreenFitTest::sixTargetsAreInSightAtTwiceTheScale() {
     }
 }
 
-int main(int argc, char *argv[]) {
+PALMER_TEST(runScreenFitTest) {
     QJsonArray all;
     int x = 0;
     for (const QSize screen : screens) {

@@ -20,7 +20,7 @@ constexpr double feed = 1000 / 60.; // mm/s
 
 /// Two axes that contour a circle, in small steps of time, each with its mechanics. Nothing in here knows a
 /// signature of the circle.
-struct Machine {
+struct BentMachine {
     double scaleX = 0, scaleY = 0;           ///< mm/mm
     double squareness = 0;                   ///< rad
     double lagX = 0, lagY = 0;               ///< s, pure delay
@@ -55,7 +55,7 @@ private:
 };
 
 /// One turn after one turn of running in, from 20° on.
-std::vector<Place> contour(const Machine &m, double sense) {
+std::vector<Place> contour(const BentMachine &m, double sense) {
     constexpr int perTurn = 36000;
     const double omega = feed / radius;
     const double step = 2 * pi / perTurn / omega;
@@ -101,7 +101,7 @@ std::vector<Place> contour(const Machine &m, double sense) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(std::function<void(Machine &)>)
+Q_DECLARE_METATYPE(std::function<void(BentMachine &)>)
 
 /// The columns against two axes that know nothing of them.
 class Influences : public QObject {
@@ -122,8 +122,8 @@ void Influences::columnsAreWhatTheAxesDo_data() {
     QTest::addColumn<double>("shape");
     QTest::addColumn<double>("shiftX"); // of the centre, mm
     QTest::addColumn<double>("shiftY");
-    QTest::addColumn<std::function<void(Machine &)>>("set");
-    using Set = std::function<void(Machine &)>;
+    QTest::addColumn<std::function<void(BentMachine &)>>("set");
+    using Set = std::function<void(BentMachine &)>;
     const auto none = PlaneAxis::none;
     const auto x = PlaneAxis::first;
     const auto y = PlaneAxis::second;
@@ -132,46 +132,47 @@ void Influences::columnsAreWhatTheAxesDo_data() {
         QTest::newRow(name) << id << axis << value << shape << shiftX << shiftY << set;
     };
     row("both scales long", InfluenceId::radius, none, radius * 2e-6,
-        [](Machine &m) { m.scaleX = m.scaleY = 2e-6; });
-    row("X long, Y short", InfluenceId::scaleMismatch, none, 4e-6, [](Machine &m) {
+        [](BentMachine &m) { m.scaleX = m.scaleY = 2e-6; });
+    row("X long, Y short", InfluenceId::scaleMismatch, none, 4e-6, [](BentMachine &m) {
         m.scaleX = 2e-6;
         m.scaleY = -2e-6;
     });
-    row("angle above 90°", InfluenceId::squareness, none, 3e-6, [](Machine &m) { m.squareness = 3e-6; });
-    row("angle below 90°", InfluenceId::squareness, none, -3e-6, [](Machine &m) { m.squareness = -3e-6; });
-    row("X lags", InfluenceId::servoMismatch, none, 3e-5, [](Machine &m) { m.lagX = 3e-5; });
-    row("Y lags", InfluenceId::servoMismatch, none, -3e-5, [](Machine &m) { m.lagY = 3e-5; });
-    row("X loses motion", InfluenceId::backlash, x, 4e-4, [](Machine &m) { m.playX = 4e-4; });
-    row("Y loses motion", InfluenceId::backlash, y, 4e-4, [](Machine &m) { m.playY = 4e-4; });
-    row("X overcompensated", InfluenceId::backlash, x, -4e-4, [](Machine &m) { m.playX = -4e-4; });
-    row("X steps aside", InfluenceId::lateralPlay, x, 4e-4, [](Machine &m) { m.asideX = 4e-4; });
-    row("Y steps aside", InfluenceId::lateralPlay, y, 4e-4, [](Machine &m) { m.asideY = 4e-4; });
+    row("angle above 90°", InfluenceId::squareness, none, 3e-6, [](BentMachine &m) { m.squareness = 3e-6; });
+    row("angle below 90°", InfluenceId::squareness, none, -3e-6,
+        [](BentMachine &m) { m.squareness = -3e-6; });
+    row("X lags", InfluenceId::servoMismatch, none, 3e-5, [](BentMachine &m) { m.lagX = 3e-5; });
+    row("Y lags", InfluenceId::servoMismatch, none, -3e-5, [](BentMachine &m) { m.lagY = 3e-5; });
+    row("X loses motion", InfluenceId::backlash, x, 4e-4, [](BentMachine &m) { m.playX = 4e-4; });
+    row("Y loses motion", InfluenceId::backlash, y, 4e-4, [](BentMachine &m) { m.playY = 4e-4; });
+    row("X overcompensated", InfluenceId::backlash, x, -4e-4, [](BentMachine &m) { m.playX = -4e-4; });
+    row("X steps aside", InfluenceId::lateralPlay, x, 4e-4, [](BentMachine &m) { m.asideX = 4e-4; });
+    row("Y steps aside", InfluenceId::lateralPlay, y, 4e-4, [](BentMachine &m) { m.asideY = 4e-4; });
     row(
-        "X on a bow", InfluenceId::straightness, x, 4e-4, [](Machine &m) { m.bowX = 4e-4; }, 0, 0, 1e-4);
+        "X on a bow", InfluenceId::straightness, x, 4e-4, [](BentMachine &m) { m.bowX = 4e-4; }, 0, 0, 1e-4);
     row(
-        "Y on a bow", InfluenceId::straightness, y, 4e-4, [](Machine &m) { m.bowY = 4e-4; }, 0, 1e-4, 0);
+        "Y on a bow", InfluenceId::straightness, y, 4e-4, [](BentMachine &m) { m.bowY = 4e-4; }, 0, 1e-4, 0);
     row(
-        "X with its pitch", InfluenceId::cyclic, x, 4e-4, [](Machine &m) { m.waveX = 4e-4; }, 10);
+        "X with its pitch", InfluenceId::cyclic, x, 4e-4, [](BentMachine &m) { m.waveX = 4e-4; }, 10);
     row(
-        "Y with its pitch", InfluenceId::cyclic, y, 4e-4, [](Machine &m) { m.waveY = 4e-4; }, 10);
+        "Y with its pitch", InfluenceId::cyclic, y, 4e-4, [](BentMachine &m) { m.waveY = 4e-4; }, 10);
     for (const PlaneAxis axis : {x, y}) {
         row(
             axis == x ? "X with its pitch, of another phase" : "Y with its pitch, of another phase",
             InfluenceId::cyclic, axis, 4e-4,
-            [axis](Machine &m) {
+            [axis](BentMachine &m) {
                 (axis == PlaneAxis::first ? m.waveX : m.waveY) = 4e-4;
                 m.phase = 0.5 * pi;
             },
             10);
     }
     row("both axes slow", InfluenceId::commonLag, none, 0.02 * 0.02,
-        [](Machine &m) { m.filterX = m.filterY = 0.02; });
+        [](BentMachine &m) { m.filterX = m.filterY = 0.02; });
     const double omega = feed / radius;
-    row("X loses stroke", InfluenceId::lagMismatch, none, 2 * 4e-6 / (omega * omega), [](Machine &m) {
+    row("X loses stroke", InfluenceId::lagMismatch, none, 2 * 4e-6 / (omega * omega), [](BentMachine &m) {
         m.strokeX = 2e-6;
         m.strokeY = -2e-6;
     });
-    row("radius grows", InfluenceId::radiusDrift, none, 4e-4, [](Machine &m) { m.growth = 4e-4; });
+    row("radius grows", InfluenceId::radiusDrift, none, 4e-4, [](BentMachine &m) { m.growth = 4e-4; });
 }
 
 void Influences::columnsAreWhatTheAxesDo() {
@@ -181,8 +182,8 @@ void Influences::columnsAreWhatTheAxesDo() {
     QFETCH(double, shape);
     QFETCH(double, shiftX);
     QFETCH(double, shiftY);
-    QFETCH(std::function<void(Machine &)>, set);
-    Machine machine;
+    QFETCH(std::function<void(BentMachine &)>, set);
+    BentMachine machine;
     set(machine);
     for (const double sense : {1.0, -1.0}) {
         double largest = 0;

@@ -65,7 +65,8 @@ constexpr double micrometre = 1e-3; // mm
 Arc readArc(const char *name, Sense sense) {
     Arc arc;
     arc.sense = sense;
-    QFile file(QStringLiteral(PALMER_REFERENCE_CIRCLES) + u'/' + QString::fromUtf8(name));
+    QFile file(QStringLiteral(PALMER_SOURCE_DIR "/resources/reference/circles") + u'/' +
+               QString::fromUtf8(name));
     if (!file.open(QIODevice::ReadOnly))
         qFatal("no %s", name);
     for (const QByteArray &line : file.readAll().split('\n')) {

@@ -19,7 +19,7 @@ namespace reference {
 
 /// The lines of a file without those that begin with '#', split at `separator`.
 inline std::vector<QStringList> rows(const QString &name, QChar separator) {
-    QFile file(QStringLiteral(PALMER_REFERENCE_CIRCLES "/") + name);
+    QFile file(QStringLiteral(PALMER_SOURCE_DIR "/resources/reference/circles/") + name);
     if (!file.open(QIODevice::ReadOnly))
         throw std::runtime_error("cannot read " + file.fileName().toStdString());
     std::vector<QStringList> result;
@@ -35,7 +35,8 @@ inline std::vector<QStringList> rows(const QString &name, QChar separator) {
 inline std::vector<QJsonObject> pointSets() {
     std::vector<QJsonObject> result;
     for (const char *name : {"constructed-circles", "nist-circles"}) {
-        QFile file(QStringLiteral(PALMER_REFERENCE_CIRCLES "/../%1.json").arg(QLatin1StringView(name)));
+        QFile file(
+            QStringLiteral(PALMER_SOURCE_DIR "/resources/reference/%1.json").arg(QLatin1StringView(name)));
         if (!file.open(QIODevice::ReadOnly))
             throw std::runtime_error("cannot read " + file.fileName().toStdString());
         result.push_back(QJsonDocument::fromJson(file.readAll()).object());

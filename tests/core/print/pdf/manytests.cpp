@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/print/pdf/generator.h"
+#include "print/figures/style.h"
 #include "print/pdf/textblock.h"
 #include "report/blocks/pagetext.h"
 
@@ -69,7 +70,6 @@ std::vector<std::vector<Line>> linesOf(const QByteArray &pdf) {
     return pages;
 }
 
-constexpr double mm = 72 / 25.4;
 constexpr double footer = 18 * mm;
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/pages.h"
+#include "print/figures/style.h"
 
 #include "core/print/pdf/reports.h"
 #include "document/bounds.h"
@@ -12,7 +13,6 @@ using namespace palmer::testdata;
 
 namespace {
 
-constexpr double mm = 72 / 25.4;
 constexpr double bottom = (297 - 18) * mm; ///< of the text on A4
 
 /// A word of a PDF and where it stands, points from the top left corner.

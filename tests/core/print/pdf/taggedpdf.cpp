@@ -607,7 +607,7 @@ void TaggedPdf::meetsEachRequirement() {
 }
 
 void TaggedPdf::theListNamesEachRequirement() {
-    QFile list(QStringLiteral(TAGGED_PDF_LIST));
+    QFile list(QStringLiteral(PALMER_SOURCE_DIR "/doc/tagged-pdf.md"));
     QVERIFY(list.open(QIODevice::ReadOnly));
     const QByteArray text = list.readAll();
     for (const CheckedRequirement &requirement : requirements)

@@ -3,6 +3,7 @@
 #include "core/print/figures/recordedtexts.h"
 #include "core/print/pdf/generator.h"
 #include "print/figures/drawfigure.h"
+#include "print/figures/style.h"
 #include "report/blocks/pagetext.h"
 
 #include <QXmlStreamReader>
@@ -13,7 +14,6 @@ using namespace palmer::testdata;
 
 namespace {
 
-constexpr double mm = 72 / 25.4;
 constexpr double leastFill = 0.45;
 
 struct Line {

@@ -663,7 +663,7 @@ void WritePdf::attachedNamesAreNamesOfFiles() {
     QCOMPARE(attachedFileName(document), name);
 }
 
-int main(int argc, char **argv) {
+PALMER_TEST(runWritePdf) {
     QHashSeed::setDeterministicGlobalSeed();
     QGuiApplication application(argc, argv);
     WritePdf test;

@@ -590,7 +590,7 @@ void VerifyReport::outcomeAsJson() {
     QVERIFY(difference["printed"_L1].toString() != difference["follows"_L1].toString());
 }
 
-int main(int argc, char **argv) {
+PALMER_TEST(runVerifyReport) {
     QHashSeed::setDeterministicGlobalSeed();
     QGuiApplication application(argc, argv);
     VerifyReport test;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reports, forgeries and damaged files in numbers, each by chance from one seed:
 //
-//     verifyreports REPORTS FORGERIES DAMAGED [SEED]
+//     print_tests core/print/proof/verifyreports REPORTS FORGERIES DAMAGED [SEED]
 //
 // Every report has to follow from its data, no forgery may, and of damaged files only those whose text,
 // attachments and pages, read with other programs, are still the same. Prints the counts; ends with 1 and
@@ -404,7 +404,7 @@ private:
 
 } // namespace
 
-int main(int argc, char **argv) {
+PALMER_TEST(runVerifyReports) {
     QHashSeed::setDeterministicGlobalSeed();
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QGuiApplication application(argc, argv);
