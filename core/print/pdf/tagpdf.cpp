@@ -79,11 +79,9 @@ public:
     std::string operator()(std::string_view content) {
         m_out.reserve(content.size() + content.size() / 4);
         while (!content.empty()) {
-            const std::size_t length = std::min(content.find('\n'), content.size() - 1) + 1;
-            const std::string_view line = content.substr(0, length);
-            content.remove_prefix(length);
-            if (readMark(line))
-                content.remove_prefix(std::min(content.find('\n'), content.size() - 1) + 1); // its "f"
+            const std::string_view line = takeLine(content);
+            if (line.starts_with(m_begins))
+                readMark(line, content);
             else
                 add(line);
         }
@@ -95,23 +93,29 @@ private:
     static constexpr Structure::Index none = static_cast<Structure::Index>(-1); ///< no content is open
     static constexpr Structure::Index artifact = 0;
 
-    /// True for a mark, which is not copied.
-    bool readMark(std::string_view line) {
-        static const std::string begins = std::to_string(markX) + ' ';
-        if (!line.starts_with(begins) || !line.ends_with(" re\n"))
-            return false;
-        std::array<int, 2> numbers{};
-        const char *at = line.data() + begins.size();
-        for (int &number : numbers)
-            at = std::from_chars(at, line.data() + line.size(), number).ptr + 1;
-        m_current = static_cast<Structure::Index>(numbers[0]);
-        m_inFigure = numbers[1] == static_cast<int>(MarkedAs::figure);
-        if (numbers[1] != static_cast<int>(MarkedAs::text)) {
+    static std::string_view takeLine(std::string_view &content) {
+        const std::string_view line = content.substr(0, std::min(content.find('\n'), content.size() - 1) + 1);
+        content.remove_prefix(line.size());
+        return line;
+    }
+
+    static int numberOf(std::string_view text) {
+        int number = 0;
+        std::from_chars(text.data(), text.data() + text.size(), number);
+        return number;
+    }
+
+    /// Reads the three lines of a mark, which are not copied: "-99999 12 m", "1 0 l", "S".
+    void readMark(std::string_view first, std::string_view &rest) {
+        m_current = static_cast<Structure::Index>(numberOf(first.substr(m_begins.size())));
+        const int as = numberOf(takeLine(rest));
+        takeLine(rest);
+        m_inFigure = as == static_cast<int>(MarkedAs::figure);
+        if (as != static_cast<int>(MarkedAs::text)) {
             belongTo(none);
             if (m_inFigure)
                 belongTo(m_current);
         }
-        return true;
     }
 
     void add(std::string_view line) {
@@ -189,6 +193,7 @@ private:
         }
     }
 
+    const std::string m_begins = std::to_string(markX) + ' '; ///< of a mark
     const std::map<std::string, const Characters *> &m_fonts;
     const Structure &m_structure;
     std::vector<Structure::Index> &m_contents; ///< by identifier

@@ -46,12 +46,10 @@ thread_local Tagging::Record
 
 void drawSign(QPainter &painter, Structure::Index content, MarkedAs as) {
     const QPen pen = painter.pen();
-    const QBrush brush = painter.brush();
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(Qt::black);
-    painter.drawRect(QRectF(markX, static_cast<double>(content), static_cast<int>(as), 1));
+    if (pen.style() == Qt::NoPen || !pen.brush().isOpaque()) // with others Qt goes on as it is
+        painter.setPen(Qt::black);
+    painter.drawLine(QPointF(markX, static_cast<double>(content)), QPointF(static_cast<int>(as), 0));
     painter.setPen(pen);
-    painter.setBrush(brush);
 }
 
 } // namespace

@@ -100,6 +100,7 @@ DrawnPages drawPages(Report report, Tagging &tagging) {
         }
         tagging.beginPage();
         painter.save();
+        painter.setPen(Qt::NoPen); // after a new page Qt takes a pen as it is only when one is set
         painter.scale(dotsPerInch / 72.0, dotsPerInch / 72.0);
         drawPage(painter, page);
         painter.restore();
