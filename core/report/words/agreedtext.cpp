@@ -3,6 +3,7 @@
 #include "report/words/agreedtext.h"
 
 #include "document/edits.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 
 namespace palmer {
@@ -46,7 +47,7 @@ QString agreedText(const CircularMeasurement &measurement, std::string_view poin
                                                : QString();
 }
 
-QString agreedText(const DriftMeasurement & /*measurement*/, std::string_view /*point*/,
+QString agreedText(const Unjudged auto & /*measurement*/, std::string_view /*point*/,
                    const Language & /*language*/) {
     return {};
 }

@@ -27,7 +27,7 @@ double expandingLength(const CircularMeasurement &measurement) {
     return measurement.nominalRadius;
 }
 
-double expandingLength(const DriftMeasurement & /*measurement*/) {
+double expandingLength(const Unjudged auto & /*measurement*/) {
     return 0;
 }
 
