@@ -143,9 +143,10 @@ void ComparisonPage::show(const EvaluatedDocument &evaluated, std::size_t test) 
     m_offers.insert(m_offers.begin(), own.begin(), own.end());
     if (m_ofFile)
         *m_ofFile += own.size() - ownBefore;
+    if (!isVisible())
+        return; // is filled when it is shown
     fillBox();
-    if (isVisible())
-        want();
+    want();
 }
 
 void ComparisonPage::showEvent(QShowEvent *event) {
@@ -157,8 +158,7 @@ void ComparisonPage::showEvent(QShowEvent *event) {
 /// The tests of this file, those of other files, "none" and "another file…".
 void ComparisonPage::fillBox() {
     const QSignalBlocker quiet(m_other);
-    m_other->clear();
-    m_other->addItem(tr("no test", "to compare with"));
+    QStringList choices{tr("no test", "to compare with")};
     for (const Offer &offer : m_offers) {
         const Test &other = *offer.evaluated->document->tests[offer.test];
         QStringList words{testName(other)};
@@ -166,9 +166,14 @@ void ComparisonPage::fillBox() {
             words << offer.file;
         if (other.date)
             words << windowLanguage().date(*other.date);
-        m_other->addItem(words.join(QStringLiteral(" · ")));
+        choices << words.join(QStringLiteral(" · "));
     }
-    m_other->addItem(tr("Another file…"));
+    choices << tr("Another file…");
+    if (choices != m_choices) { // a file may have a thousand tests of an axis
+        m_other->clear();
+        m_other->addItems(choices);
+        m_choices = std::move(choices);
+    }
     int row = 0;
     const Test *shown = test();
     for (std::size_t i = 0; i < m_offers.size(); ++i) {

@@ -72,6 +72,7 @@ private:
     std::shared_ptr<const EvaluatedDocument> m_evaluated = std::make_shared<const EvaluatedDocument>();
     std::size_t m_test = 0;
     std::vector<Offer> m_offers;
+    QStringList m_choices;               ///< that the box offers
     std::optional<std::size_t> m_ofFile; ///< the offer of another file that is shown
     std::optional<Result> m_result;
     Background m_worker;

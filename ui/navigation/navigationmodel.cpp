@@ -11,6 +11,7 @@
 #include "ui/windowlanguage.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -26,15 +27,23 @@ QString shortStandard(const std::string &edition) {
 }
 
 void NavigationModel::show(const EvaluatedDocument &evaluated) {
-    m_evaluated = evaluated;
-    rebuild();
+    const EvaluatedDocument before = std::exchange(m_evaluated, evaluated);
+    rebuild(before);
 }
 
 void NavigationModel::retranslate() {
-    rebuild();
+    rebuild({});
 }
 
-std::vector<NavigationRow> NavigationModel::rows() const {
+/// The row of a test, unless it is another test or outcome than before.
+const NavigationRow *NavigationModel::unchanged(std::size_t test, const EvaluatedDocument &before) const {
+    const bool same = test < before.tests.size() && before.tests[test] == m_evaluated.tests[test] &&
+                      before.document->tests[test] == m_evaluated.document->tests[test];
+    const std::size_t heads = m_rows.size() - std::min(m_rows.size(), before.tests.size());
+    return same && heads + test < m_rows.size() ? &m_rows[heads + test] : nullptr;
+}
+
+std::vector<NavigationRow> NavigationModel::rows(const EvaluatedDocument &before) const {
     std::vector<NavigationRow> result;
     if (!m_evaluated.document)
         return result;
@@ -72,6 +81,10 @@ std::vector<NavigationRow> NavigationModel::rows() const {
     result.back().count = openRows();
     result.push_back(head(tr("Tests")));
     for (std::size_t i = 0; i < m_evaluated.document->tests.size(); ++i) {
+        if (const NavigationRow *known = unchanged(i, before)) {
+            result.push_back(*known);
+            continue;
+        }
         const Test &test = *m_evaluated.document->tests[i];
         NavigationRow row;
         row.name = testName(test);
@@ -102,16 +115,21 @@ std::vector<NavigationRow> NavigationModel::rows() const {
     return result;
 }
 
-void NavigationModel::rebuild() {
-    std::vector<NavigationRow> next = rows();
-    if (next == m_rows)
+void NavigationModel::rebuild(const EvaluatedDocument &before) {
+    std::vector<NavigationRow> next = rows(before);
+    if (next.size() != m_rows.size())
+        return reset(std::move(next));
+    const auto differ = [&](std::size_t row) { return next[row] != m_rows[row]; };
+    std::size_t first = 0;
+    while (first < next.size() && !differ(first))
+        ++first;
+    std::size_t last = next.size();
+    while (last > first && !differ(last - 1))
+        --last;
+    if (first == last)
         return;
-    if (next.size() == m_rows.size()) { // keeps the selection
-        m_rows = std::move(next);
-        emit dataChanged(index(0), index(rowCount() - 1));
-        return;
-    }
-    reset(std::move(next));
+    m_rows = std::move(next); // keeps the selection
+    emit dataChanged(index(static_cast<int>(first)), index(static_cast<int>(last) - 1));
 }
 
 QModelIndex NavigationModel::indexOf(Page page) const {

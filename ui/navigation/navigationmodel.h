@@ -59,8 +59,10 @@ protected:
     [[nodiscard]] QVariant cell(const NavigationRow &row, int column, int role) const override;
 
 private:
-    [[nodiscard]] std::vector<NavigationRow> rows() const;
-    void rebuild();
+    /// `before`: what the rows that are there were made of; empty where none of them holds.
+    [[nodiscard]] std::vector<NavigationRow> rows(const EvaluatedDocument &before) const;
+    [[nodiscard]] const NavigationRow *unchanged(std::size_t test, const EvaluatedDocument &before) const;
+    void rebuild(const EvaluatedDocument &before);
 
     EvaluatedDocument m_evaluated;
 };
