@@ -126,6 +126,12 @@ QString proposedName(const Document &document) {
     return name.isEmpty() ? name : name + QStringLiteral(".palmer");
 }
 
+/// A report simulates again.
+bool mayTakeLong(const QString &path) {
+    return path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive) ||
+           (isLargeFile(QFileInfo(path).size()) && !isExample(path));
+}
+
 } // namespace
 
 MainWindow::MainWindow(QWidget *parent)
@@ -506,8 +512,7 @@ void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) 
 void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
     struct Measurement {};
     using Outcome = std::variant<std::monostate, Document, OpenedReport, Measurement, Error>;
-    const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulates again
-    const bool beside = mayTakeLong || (isLargeFile(QFileInfo(path).size()) && !isExample(path));
+    const bool beside = mayTakeLong(path);
     const auto progress = beside ? m_progress : std::make_shared<ReadProgress>();
     const auto open = [path, progress](const std::stop_token &stop) -> Outcome {
         try {

@@ -85,8 +85,8 @@ private:
 /// Begins the next content of the current element; called before text is drawn.
 void markContent(QPainter &painter);
 
-// How contents are marked in what Qt writes: a line from this x that finishPdf() takes out again; the y is the
-// entry of the content, 0 for an artifact, the other x what begins.
+// How contents are marked in what Qt writes: a line from this x that finishPdf() takes out again; the y is
+// the entry of the content, 0 for an artifact, the other x what begins.
 inline constexpr int markX = -99999;
 enum class MarkedAs { text = 1, figure, endOfFigure };
 
