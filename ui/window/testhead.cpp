@@ -56,7 +56,7 @@ QString testSummary(const Test &test) {
     const auto addAxis = [&](const Axis &axis) {
         const QString name = headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Axis %1"))
                                  .arg(QString::fromStdString(axis.name));
-        if (!axis.name.empty() && name != testName(test)) // shown above
+        if (!axis.name.empty() && !test.title.empty() && name != testName(test)) // else the title names it
             parts += name;
         parts += axis.motion == Motion::linear
                      ? headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "linear"))

@@ -401,6 +401,7 @@ void MainWindowTest::switchesTheLanguage() {
     const ShownWindow shown(examplePath("rotary-axis"));
     auto *tabs = shown.find<QTabBar>("pageTabs");
     QCOMPARE(tabs->tabText(0), QStringLiteral("&Readings"));
+    QVERIFY(shown.find<QLabel>("testSummary")->accessibleName().startsWith(QStringLiteral("rotary")));
     const QByteArray bytes = writeDocument(*shown.window->model().document());
     const auto switches = shown.window->findChildren<QToolButton *>(QStringLiteral("french"));
     QVERIFY(!switches.isEmpty());
