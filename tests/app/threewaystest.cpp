@@ -5,15 +5,18 @@
 #include "app/runcli.h"
 #include "document/savedocument.h"
 #include "import/importmeasurement.h"
+#include "ui/dialogs/reportdialog.h"
 #include "ui/import/importassistant.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAction>
 #include <QClipboard>
+#include <QHashSeed>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -48,7 +51,7 @@ QMap<QString, double> values(const QJsonValue &test) {
 } // namespace
 
 /// The same numbers, to the last bit, whichever way they come in: a file in the window, the clipboard, the
-/// command line.
+/// command line. The same report, whichever way it goes out.
 class ThreeWaysTest : public QObject {
     Q_OBJECT
 
@@ -96,6 +99,34 @@ private slots:
         QVERIFY(!shown.isEmpty() || std::holds_alternative<DriftMeasurement>(file.measurement));
     }
 
+    void theSameReport_data() {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"iso230-2-1988-example", "rotary-axis", "x-axis-as-found-as-left",
+                                 "iso230-4-full-circles-xy", "machine-acceptance-sheet", "thermal-behaviour"})
+            QTest::newRow(name) << name;
+    }
+
+    /// Byte for byte that of the window and of the command line.
+    void theSameReport() {
+        QFETCH(QString, name);
+        QTemporaryDir folder;
+        const ShownWindow shown(examplePath(name.toLatin1()));
+        ReportDialog dialog(shown.window->model(), shown.window->evaluator(), shown.window);
+        dialog.show();
+        QTRY_VERIFY(!dialog.isSimulating());
+        QSignalSpy saved(&dialog, &ReportDialog::saved);
+        dialog.saveTo(folder.filePath("window.pdf"));
+        QVERIFY(saved.count() > 0 || saved.wait(patience));
+        const QStringList files = saved.front().front().toStringList();
+        QVERIFY(!files.isEmpty());
+        run({"report", EXAMPLES + name + ".palmer", "-o", folder.filePath("command.pdf")});
+        for (const QString &file : files) {
+            const QByteArray bytes = readBytes(file);
+            QVERIFY(bytes.startsWith("%PDF"));
+            QVERIFY2(readBytes(QString(file).replace("window", "command")) == bytes, qPrintable(file));
+        }
+    }
+
 private:
     static void accept(const ShownWindow &shown) {
         auto *assistant = shown.find<ImportAssistant>("importAssistant");
@@ -110,5 +141,11 @@ private:
     }
 };
 
-QTEST_MAIN(ThreeWaysTest)
+PALMER_TEST(runThreeWaysTest) {
+    QHashSeed::setDeterministicGlobalSeed(); // as the programs do
+    QApplication application(argc, argv);
+    ThreeWaysTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
 #include "threewaystest.moc"
