@@ -363,8 +363,9 @@ private:
         return paler(colour(role == CurveRole::up ? FigureRole::up : FigureRole::down), strengthOf(size));
     }
 
+    /// Sets pen and brush for the readings of a direction, once for all of them.
     void beginReadings(CurveRole role, double size) {
-        if (size < sizeOfShapes || role == CurveRole::up) {
+        if (role == CurveRole::up) {
             p.setPen(QPen(colourOfDots(role, size), 2 * dotRadius * size, Qt::SolidLine, Qt::RoundCap));
         } else {
             QPen outline = pen(FigureRole::reading);
