@@ -309,6 +309,7 @@ private:
     }
 
     void turnPage() {
+        m_page.strips.shrink_to_fit();
         m_pages.push_back(std::move(m_page));
         m_page = {};
         m_page.running = m_running;

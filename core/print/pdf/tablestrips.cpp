@@ -301,14 +301,13 @@ void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
             drawMark(painter, sign.mark, {at.x() + sign.x + markBox * mm / 2, middle}, markBox * mm,
                      sign.ink);
     }
+    TextUnits units(painter);
     auto text = row.texts.begin();
     const auto drawTexts = [&](std::size_t cell) {
         for (; text != row.texts.end() && text->cell <= cell; ++text)
-            text->block.drawInUnits(painter,
-                                    at + QPointF(text->x, static_cast<double>(text->line) * lineHeight),
-                                    text->alignment, text->width);
+            text->block.draw(units, at + QPointF(text->x, static_cast<double>(text->line) * lineHeight),
+                             text->alignment, text->width);
     };
-    const TextUnits units(painter);
     const Tag tag(row.cells ? "/TR" : "/LI", row.key);
     if (!row.cells) {
         const Tag body("/LBody");
@@ -695,7 +694,9 @@ Strips tableStrips(const std::shared_ptr<const Table> &shared, double width) {
     const Table &table = *shared;
     const auto content = std::make_shared<TableContent>(shared, places(table, width));
     content->keys.resize(table.rowCount() * (table.columns.size() + 1));
+    content->cells.reserve(table.rowCount());
     Strips strips;
+    strips.reserve(table.rowCount() + 1); // of a long table they take much memory
     std::shared_ptr<Strip> head;
     if (!table.headless) {
         const auto titles = std::make_shared<TableHead>(table, content->columns, width);
@@ -705,6 +706,7 @@ Strips tableStrips(const std::shared_ptr<const Table> &shared, double width) {
         strips.push_back(*head);
     }
     std::vector<RowExtent> rows;
+    rows.reserve(table.rowCount());
     CellTags tags(table);
     table.eachRow(
         [&](const std::vector<Cell> &cells) { rows.push_back(content->add(cells, tags.of(cells))); });

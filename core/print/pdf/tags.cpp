@@ -155,22 +155,34 @@ LinkTag::~LinkTag() {
         current->addLink(); // without text
 }
 
-void markContent(QPainter &painter) {
+namespace {
+
+/// True where what is drawn next is an artifact.
+bool isArtifact() {
+    return current->artifacts > 0 || current->open.size() == 1;
+}
+
+} // namespace
+
+bool contentGoesOn() {
     if (!current || current->inFigure)
+        return true;
+    if (isArtifact())
+        return current->marked == 0;
+    return !current->linkNext && current->marked != 0 &&
+           current->structure.parent(current->marked) == current->open.back();
+}
+
+void markContent(QPainter &painter) {
+    if (contentGoesOn())
         return;
-    const bool isArtifact = current->artifacts > 0 || current->open.size() == 1;
-    if (isArtifact && current->marked == 0)
-        return;
-    if (!isArtifact && !current->linkNext && current->marked != 0 &&
-        current->structure.parent(current->marked) == current->open.back())
-        return; // goes on
-    if (!isArtifact && current->linkNext) {
+    if (!isArtifact() && current->linkNext) {
         current->addLink();
         current->open.push_back(current->links.back());
         current->marked = current->addContent();
         current->open.pop_back();
     } else {
-        current->marked = isArtifact ? 0 : current->addContent();
+        current->marked = isArtifact() ? 0 : current->addContent();
     }
     drawSign(painter, current->marked, MarkedAs::text);
 }

@@ -82,7 +82,10 @@ private:
     bool m_linked;
 };
 
-/// Begins the next content of the current element; called before text is drawn.
+/// True if what is drawn next belongs to the content that has begun.
+[[nodiscard]] bool contentGoesOn();
+
+/// Begins the next content of the current element unless the last one goes on; called before text is drawn.
 void markContent(QPainter &painter);
 
 // How contents are marked in what Qt writes: a line from this x that finishPdf() takes out again; the y is

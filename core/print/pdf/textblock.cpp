@@ -27,8 +27,9 @@ namespace palmer {
 
 namespace {
 
-/// Font sizes are whole pixels, so text is measured and drawn in tenths of a point.
-constexpr double tenths = 10;
+/// Text is measured and drawn in units in which most of it, 8.5 points, has the size of the font's own em
+/// square: its advances are whole numbers, which Qt writes shorter into the PDF. Sizes are whole units.
+constexpr double unitsPerPoint = 2048 / 8.5;
 constexpr double scriptSize = 0.75;
 constexpr double paperSubscriptDrop = 0.22; ///< fraction of the text size
 constexpr double superscriptRise = 0.36;
@@ -91,7 +92,7 @@ private:
         int advance = -1; ///< not measured yet
     };
     static constexpr double parts = 64;
-    static constexpr std::int16_t unknown = std::numeric_limits<std::int16_t>::max();
+    static constexpr int unknown = std::numeric_limits<int>::max();
 
     [[nodiscard]] int advanceOf(const QString &text) const {
         return qRound(m_metrics.horizontalAdvance(text) * parts);
@@ -106,17 +107,16 @@ private:
 
     /// `second`: the second character, which follows the first in its text.
     int kerning(std::size_t first, std::size_t index, const QChar *second) {
-        std::int16_t &kerned = m_kerning[first * plainCount + index];
+        int &kerned = m_kerning[first * plainCount + index];
         if (kerned == unknown)
-            kerned = static_cast<std::int16_t>(advanceOf(QString(second - 1, 2)) - m_known[first].advance -
-                                               m_known[index].advance);
+            kerned = advanceOf(QString(second - 1, 2)) - m_known[first].advance - m_known[index].advance;
         return kerned;
     }
 
     QFontMetricsF m_metrics;
     QRawFont m_raw;
     std::array<Known, plainCount> m_known = {};
-    std::vector<std::int16_t> m_kerning = std::vector<std::int16_t>(plainCount * plainCount, unknown);
+    std::vector<int> m_kerning = std::vector<int>(plainCount * plainCount, unknown);
 };
 
 struct Face {
@@ -129,7 +129,7 @@ struct Face {
 /// Caches fonts and metrics: a report draws thousands of short texts in a dozen fonts.
 Face &face(double size, bool bold, bool italic) {
     thread_local std::map<int, Face> faces;
-    const int pixels = qRound(size * tenths);
+    const int pixels = qRound(size * unitsPerPoint);
     const int key = 4 * pixels + 2 * (bold ? 1 : 0) + (italic ? 1 : 0);
     const auto known = faces.find(key);
     if (known != faces.end())
@@ -197,24 +197,23 @@ std::vector<TextPiece> piecesOf(const QString &text) {
 double widthOf(const TextPiece &piece, const TextRun &look, const TextStyle &style) {
     if (piece.foreign != 0)
         return foreignWidth(piece.foreign) * sizeOf(look, style);
-    return advance(face(look, style), piece.text) / tenths;
+    return advance(face(look, style), piece.text) / unitsPerPoint;
 }
 
 /// Characters of other fonts have a fixed width, so that it does not depend on the installed fonts.
 double widthOf(const QString &text, const TextRun &look, const TextStyle &style) {
     measuredLetters += static_cast<std::size_t>(text.size());
     if (!needsOtherFont(text))
-        return advance(face(look, style), text) / tenths;
+        return advance(face(look, style), text) / unitsPerPoint;
     double width = 0;
     for (const TextPiece &piece : piecesOf(text))
         width += widthOf(piece, look, style);
     return width;
 }
 
-/// Draws a plain text; returns false for others. Only for PDF, where it gives the same bytes as any text: on
-/// the screen Qt places glyphs by pixels.
-bool drawPlain(QPainter &painter, QPointF at, PlainGlyphs &plain, const QString &text) {
-    if (painter.paintEngine()->type() != QPaintEngine::Pdf)
+/// Draws a plain text; returns false for others. Only for PDF.
+bool drawPlain(TextUnits &units, QPointF at, PlainGlyphs &plain, const QString &text, QRgb colour) {
+    if (!units.isPdf())
         return false;
     QVarLengthArray<quint32, 64> glyphs;
     QVarLengthArray<QPointF, 64> places;
@@ -222,31 +221,29 @@ bool drawPlain(QPainter &painter, QPointF at, PlainGlyphs &plain, const QString 
                              .each(text,
                                    [&](quint32 glyph, double x) {
                                        glyphs.append(glyph);
-                                       places.append({x, 0});
+                                       places.append({at.x() + x, at.y()});
                                    })
                              .has_value();
-    if (!isPlain)
-        return false;
-    QGlyphRun run;
-    run.setRawFont(plain.raw());
-    run.setRawData(glyphs.constData(), places.constData(), static_cast<int>(glyphs.size()));
-    constexpr double parts = 64; // in which Qt counts, cut off
-    painter.drawGlyphRun({std::trunc(at.x() * parts) / parts, at.y()}, run);
-    return true;
+    if (isPlain)
+        units.add(plain.raw(), colour, glyphs, places);
+    return isPlain;
 }
 
-/// Draws on a baseline, in tenths of a point. Characters of other fonts are fitted to their fixed width.
-void drawRun(QPainter &painter, QPointF at, const TextRun &run, const TextStyle &style) {
+/// Draws on a baseline, in units. Characters of other fonts are fitted to their fixed width.
+void drawRun(TextUnits &units, QPointF at, const TextRun &run, const TextStyle &style) {
     Face &own = face(run, style);
-    if (drawPlain(painter, at, own.plain, run.text))
+    const QRgb colour = run.grey ? noteGrey : style.colour;
+    if (drawPlain(units, at, own.plain, run.text, colour))
         return;
+    QPainter &painter = units.painter();
+    painter.setPen(QColor::fromRgb(colour));
     painter.setFont(own.font);
     if (!needsOtherFont(run.text)) {
         painter.drawText(at, run.text);
         return;
     }
     for (const TextPiece &piece : piecesOf(run.text)) {
-        const double width = widthOf(piece, run, style) * tenths;
+        const double width = widthOf(piece, run, style) * unitsPerPoint;
         const double needed = piece.foreign == 0 ? 0 : own.metrics.horizontalAdvance(piece.text);
         if (foreignPlaces && piece.foreign != 0)
             foreignPlaces->push_back(painter.combinedTransform().mapRect(
@@ -595,17 +592,12 @@ TextBlock TextBlock::line(std::size_t index) const {
 }
 
 void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment, double width) const {
-    markContent(painter);
-    const TextUnits units(painter);
-    drawLines(painter, topLeft, alignment, width);
+    TextUnits units(painter);
+    draw(units, topLeft, alignment, width);
 }
 
-void TextBlock::drawInUnits(QPainter &painter, QPointF topLeft, TextAlignment alignment, double width) const {
-    markContent(painter);
-    drawLines(painter, topLeft, alignment, width);
-}
-
-void TextBlock::drawLines(QPainter &painter, QPointF topLeft, TextAlignment alignment, double width) const {
+void TextBlock::draw(TextUnits &units, QPointF topLeft, TextAlignment alignment, double width) const {
+    units.markContent();
     double baseline = topLeft.y() + ascent();
     for (const Line &line : m_lines) {
         double x = topLeft.x();
@@ -619,11 +611,11 @@ void TextBlock::drawLines(QPainter &painter, QPointF topLeft, TextAlignment alig
                 y += paperSubscriptDrop * m_style.size;
             else if (fragment.run.script == TextRun::Script::superscript)
                 y -= superscriptRise * m_style.size;
-            painter.setPen(QColor::fromRgb(fragment.run.grey ? noteGrey : m_style.colour));
             TextRun run = fragment.run;
             if (&fragment == &line.fragments.back() && !line.goesOn)
                 run.text += u' '; // readers of the text join its lines
-            drawRun(painter, QPointF(x, y) * tenths, run, m_style);
+            const QPointF at(std::round(x * unitsPerPoint), std::round(y * unitsPerPoint));
+            drawRun(units, at, run, m_style);
             x += fragment.width;
         }
         baseline += lineHeight();
@@ -633,11 +625,48 @@ void TextBlock::drawLines(QPainter &painter, QPointF topLeft, TextAlignment alig
 TextUnits::TextUnits(QPainter &painter)
     : m_painter(painter)
     , m_points(painter.transform()) {
-    painter.scale(1 / tenths, 1 / tenths);
+    painter.scale(1 / unitsPerPoint, 1 / unitsPerPoint);
 }
 
 TextUnits::~TextUnits() {
+    drawGlyphs();
     m_painter.setTransform(m_points);
+}
+
+bool TextUnits::isPdf() const {
+    return m_painter.paintEngine()->type() == QPaintEngine::Pdf;
+}
+
+QPainter &TextUnits::painter() {
+    drawGlyphs();
+    return m_painter;
+}
+
+void TextUnits::markContent() {
+    if (!contentGoesOn())
+        palmer::markContent(painter());
+}
+
+void TextUnits::add(const QRawFont &font, QRgb colour, std::span<const quint32> glyphs,
+                    std::span<const QPointF> places) {
+    if (colour != m_colour || font != m_font)
+        drawGlyphs();
+    m_font = font;
+    m_colour = colour;
+    m_glyphs.insert(m_glyphs.end(), glyphs.begin(), glyphs.end());
+    m_places.insert(m_places.end(), places.begin(), places.end());
+}
+
+void TextUnits::drawGlyphs() {
+    if (m_glyphs.empty())
+        return;
+    QGlyphRun run;
+    run.setRawFont(m_font);
+    run.setRawData(m_glyphs.data(), m_places.data(), static_cast<int>(m_glyphs.size()));
+    m_painter.setPen(QColor::fromRgb(m_colour));
+    m_painter.drawGlyphRun({}, run);
+    m_glyphs.clear();
+    m_places.clear();
 }
 
 double textWidth(const QString &text, const TextStyle &style) {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <QPointF>
+#include <QRawFont>
 #include <QRectF>
 #include <QRgb>
 #include <QString>
 #include <QTransform>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 class QPainter;
@@ -43,6 +45,36 @@ using RichText = std::vector<TextRun>;
 
 enum class TextAlignment { left, centre, right };
 
+/// During its life the unit of the painter is that of texts instead of points: changing it for each cell of a
+/// table would take a fifth of the bytes of its page. In a PDF, texts of one content that look the same are
+/// drawn as one, at the latest at its end: a third of the bytes of a row of numbers.
+class TextUnits {
+public:
+    explicit TextUnits(QPainter &painter);
+    ~TextUnits();
+    TextUnits(const TextUnits &) = delete;
+    TextUnits &operator=(const TextUnits &) = delete;
+
+    [[nodiscard]] bool isPdf() const;
+    /// For what is drawn next: after the texts so far.
+    [[nodiscard]] QPainter &painter();
+    /// The next text belongs to the current element.
+    void markContent();
+    /// Adds glyphs at their places in units; only for a PDF: on the screen Qt places them by pixels.
+    void add(const QRawFont &font, QRgb colour, std::span<const quint32> glyphs,
+             std::span<const QPointF> places);
+
+private:
+    void drawGlyphs();
+
+    QPainter &m_painter;
+    QTransform m_points;
+    QRawFont m_font;
+    QRgb m_colour = 0;
+    std::vector<quint32> m_glyphs;
+    std::vector<QPointF> m_places;
+};
+
 /// A text broken into lines of at most `width` points: at spaces and line feeds, within a word only if it is
 /// wider than a line, never at no-break spaces. Measured once; drawn as text that can be searched and copied.
 class TextBlock {
@@ -67,9 +99,9 @@ public:
     void draw(QPainter &painter, QPointF topLeft, TextAlignment alignment = TextAlignment::left,
               double width = 0) const;
 
-    /// The same where TextUnits hold; `topLeft` in points all the same.
-    void drawInUnits(QPainter &painter, QPointF topLeft, TextAlignment alignment = TextAlignment::left,
-                     double width = 0) const;
+    /// The same with others in the same units; `topLeft` in points all the same.
+    void draw(TextUnits &units, QPointF topLeft, TextAlignment alignment = TextAlignment::left,
+              double width = 0) const;
 
     static constexpr double unlimited = 1e9;
 
@@ -90,24 +122,9 @@ private:
     void append(const TextRun &run, double width);
     void appendToLine(const TextRun &run, double width);
     void measure(Line &line) const; ///< once it is complete
-    void drawLines(QPainter &painter, QPointF topLeft, TextAlignment alignment, double width) const;
 
     TextStyle m_style;
     std::vector<Line> m_lines;
-};
-
-/// During its life the unit of the painter is that of texts instead of points: changing it for each cell of a
-/// table would take a fifth of the bytes of its page.
-class TextUnits {
-public:
-    explicit TextUnits(QPainter &painter);
-    ~TextUnits();
-    TextUnits(const TextUnits &) = delete;
-    TextUnits &operator=(const TextUnits &) = delete;
-
-private:
-    QPainter &m_painter;
-    QTransform m_points;
 };
 
 /// Width of a text on one line, points.

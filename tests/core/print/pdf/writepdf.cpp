@@ -401,7 +401,9 @@ void WritePdf::plainTextsAreDrawnAsQtDrawsThem() {
     };
     for (const bool bold : {false, true}) {
         const TextStyle style{8.5, bold, black, 1.2};
-        const QFont font = paperFont(85, bold, false);
+        constexpr int em = 2048; // of the font: a unit of texts
+        constexpr double units = em / 8.5;
+        const QFont font = paperFont(em, bold, false);
         std::vector<std::pair<QPointF, QString>> texts;
         for (int i = 0; i < 300; ++i) {
             QString text;
@@ -409,7 +411,7 @@ void WritePdf::plainTextsAreDrawnAsQtDrawsThem() {
                 text += characters[upTo(characters.size())];
             text = u'x' + text.split(u' ', Qt::SkipEmptyParts).join(u' ');
             texts.emplace_back(QPointF(static_cast<double>(upTo(50'000)) / 97, 100), text);
-            QCOMPARE(textWidth(text, style), QFontMetricsF(font).horizontalAdvance(text) / 10);
+            QCOMPARE(textWidth(text, style), QFontMetricsF(font).horizontalAdvance(text) / units);
         }
         const auto drawn = [&](auto draw) {
             QBuffer buffer;
@@ -435,10 +437,10 @@ void WritePdf::plainTextsAreDrawnAsQtDrawsThem() {
         const std::string shaped = drawn([&](QPainter &painter, QPointF at, const QString &text) {
             const double ascent = TextBlock(text, style).ascent();
             const QTransform points = painter.transform();
-            painter.scale(0.1, 0.1);
+            painter.scale(1 / units, 1 / units);
             painter.setPen(QColor::fromRgb(black));
             painter.setFont(font);
-            painter.drawText((at + QPointF(0, ascent)) * 10, text + u' ');
+            painter.drawText(((at + QPointF(0, ascent)) * units).toPoint(), text + u' ');
             painter.setTransform(points);
         });
         QVERIFY(own == shaped);
