@@ -42,7 +42,11 @@ const Edition *editionFor(const Test &test, const Edition *asked) {
 }
 
 TestEvaluation evaluateTest(const Test &test, const Surroundings &surroundings, const Edition *asked) {
-    return std::visit(EvaluationOfKind{test, surroundings, editionFor(test, asked)}, test.measurement);
+    TestEvaluation evaluation =
+        std::visit(EvaluationOfKind{test, surroundings, editionFor(test, asked)}, test.measurement);
+    evaluation.parameters.shrink_to_fit(); // those of a thousand tests are kept
+    evaluation.findings.shrink_to_fit();
+    return evaluation;
 }
 
 } // namespace palmer
