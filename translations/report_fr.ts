@@ -9750,6 +9750,10 @@
         <translation>essai %1</translation>
     </message>
     <message>
+        <source>tests %1</source>
+        <translation>essais %1</translation>
+    </message>
+    <message>
         <source>not measured</source>
         <comment>a row of the sheet</comment>
         <translation>non mesurée</translation>

@@ -21,13 +21,21 @@ void showTexts(nlohmann::json &value) {
         std::ranges::for_each(value, showTexts);
 }
 
+/// True if a file written by Palmer has a character to be shown: those are escapes in it, which besides only
+/// quotation marks, backslashes and ends of lines are.
+bool hasEscapedCharacter(const QByteArray &file) {
+    for (qsizetype at = file.indexOf('\\'); at >= 0; at = file.indexOf('\\', at + 2)) {
+        if (QByteArrayView("utrbf").contains(file.at(at + 1)))
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 std::shared_ptr<const Document> withVisibleTexts(std::shared_ptr<const Document> document,
                                                  const QByteArray &file) {
-    // Characters to be shown are escapes in the file.
-    if (std::ranges::none_of(std::initializer_list<const char *>{"\\u", "\\t", "\\r", "\\b", "\\f"},
-                             [&](const char *escape) { return file.contains(escape); }))
+    if (!hasEscapedCharacter(file))
         return document;
     nlohmann::json json = parseJson(std::string_view(file.data(), static_cast<std::size_t>(file.size())));
     showTexts(json);

@@ -382,10 +382,32 @@ void addAnnexOfReport(Report &report, const std::vector<TestPart> &parts, const 
         addDiagnosisOf(blocks, first);
 }
 
+/// Leaves no more rows of a table than a page may hold, and all that a cell of them spans.
+void keepFirstRows(Table &table) {
+    constexpr std::size_t most = 120;
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < table.rows.size() && (i < most || i < end); ++i) {
+        for (const Cell &cell : table.rows[i])
+            end = std::max(end, i + cell.extras->rows);
+    }
+    if (end >= table.rows.size())
+        return;
+    table.rows.resize(end);
+    if (!table.links.empty())
+        table.links.resize(end);
+    for (auto *rules : {&table.rulesAfter, &table.strongRulesAfter})
+        std::erase_if(*rules, [end](std::size_t row) { return row >= end; });
+}
+
+/// Hands over what the first page may hold: it is soon laid out, however long the report.
 void announceFirstPage(const Report &report, const ReportOptions &options) {
     if (!options.onFirstPage)
         return;
     Report first = report;
+    for (Block &block : first.blocks) {
+        if (auto *table = std::get_if<Table>(&block))
+            keepFirstRows(*table);
+    }
     thinFigures(first.blocks);
     options.onFirstPage(first);
 }

@@ -12,20 +12,24 @@
 #include "report/words/wording.h"
 
 #include <algorithm>
+#include <map>
+#include <ranges>
 
 namespace palmer {
 
 namespace {
 
 // Widths around those of the result columns, mm.
-constexpr double numberWidth = 5;
+constexpr double leastNumberWidth = 5;
+constexpr double numberPadding = 2.3;
+constexpr double digitWidth = 1.7;
 constexpr double testWidth = 38.2;
 constexpr double unitWidth = 5.6; ///< used if units differ between tests
 constexpr double unitGap = 0.3;   ///< before the number
 constexpr double pictureGap = 2.3;
 constexpr double pageWidth = 9.2;
 
-constexpr qsizetype mostNamed = 6; ///< quantities named in the verdict
+constexpr std::size_t mostNamed = 6; ///< results named in the verdict
 
 bool counts(const TestPart &part) {
     return countsForVerdict(part.document(), part.index);
@@ -130,7 +134,7 @@ public:
 private:
     /// The result columns between the test and its page, and the unit before the picture.
     void addColumns() {
-        Column test = m_write.column(REPORT_TEXT("report", "Test"), numberWidth);
+        Column test = m_write.column(REPORT_TEXT("report", "Test"), numberWidth());
         test.titleSpan = 2;
         test.paddingLeft = 1.2;
         m_table.columns = {test, columnOf(QString(), testWidth)};
@@ -149,6 +153,12 @@ private:
         Column page = m_write.column(REPORT_TEXT("report", "Page"), pageWidth, Alignment::right);
         page.pages = true;
         m_table.columns.push_back(page);
+    }
+
+    /// Of the column of the numbers of tests: they never wrap.
+    [[nodiscard]] double numberWidth() const {
+        const auto digits = static_cast<double>(std::to_string(m_parts.size()).size());
+        return std::max(leastNumberWidth, numberPadding + digits * digitWidth);
     }
 
     [[nodiscard]] Column columnInSummary(const ResultColumn &column) const {
@@ -322,42 +332,100 @@ Whole wholeOf(const std::vector<TestPart> &parts) {
     return whole;
 }
 
-/// Quantities with the verdict of the report: "E (Y axis), A (Z axis)".
+/// The end of a sentence whose list of names may end with dots.
+QString onePeriod(QString sentence) {
+    return sentence.replace(QLatin1StringView("…."), QLatin1StringView("…"));
+}
+
+/// Results of the tests that count, those with the same symbol and words together: "E (Y axis), R (X axis,
+/// tests 1–3)". The numbers are given where several tests share the axis or circle.
+class NamedResults {
+public:
+    explicit NamedResults(const std::vector<TestPart> &parts)
+        : m_write(parts.front().write) {
+        for (const TestPart &part : parts)
+            m_testsOfName[briefTestName(part)] += counts(part) ? 1 : 0;
+    }
+
+    void add(const TestPart &part, const Phrase &symbol, const QString &reason = {}) {
+        const QString name = briefTestName(part);
+        const auto same = std::ranges::find_if(m_results, [&](const Named &each) {
+            return each.symbol == symbol && each.name == name && each.reason == reason;
+        });
+        Named &named =
+            same == m_results.end() ? m_results.emplace_back(Named{symbol, name, reason, {}}) : *same;
+        if (named.tests.empty() || named.tests.back() != part.number)
+            named.tests.push_back(part.number);
+    }
+
+    [[nodiscard]] Phrase take() const {
+        Phrase result;
+        for (const Named &named : m_results | std::views::take(mostNamed)) {
+            if (!result.spans.empty())
+                result.spans.push_back({QStringLiteral(", ")});
+            result += named.symbol;
+            QString words = joined({named.name, numbers(named)}, QStringLiteral(", "));
+            words = joined({words, named.reason}, m_write.semicolon());
+            result.spans.push_back({QStringLiteral(" (") + words + u')'});
+        }
+        if (m_results.size() > mostNamed)
+            result.spans.push_back({QStringLiteral(", …")});
+        return result;
+    }
+
+private:
+    struct Named {
+        Phrase symbol;
+        QString name;
+        QString reason;
+        std::vector<int> tests;
+    };
+
+    /// "test 2", "tests 1, 3–5"; the count of more than a line has room for; empty if the name says which.
+    [[nodiscard]] QString numbers(const Named &named) const {
+        constexpr int mostNumbers = 6;
+        const auto count = static_cast<int>(named.tests.size());
+        if (m_testsOfName.at(named.name) < 2)
+            return {};
+        if (count == 1)
+            return m_write.say(REPORT_TEXT("report", "test %1"), QString::number(named.tests.front()));
+        if (count <= mostNumbers)
+            return m_write.say(REPORT_TEXT("report", "tests %1"), testNumbers(m_write, named.tests, 0));
+        return m_write.language().sentence({REPORT_TEXT_COUNTED("report", "%n test(s)"), {}, count});
+    }
+
+    const Writer &m_write;
+    std::map<QString, int> m_testsOfName;
+    std::vector<Named> m_results;
+};
+
+/// The quantities with this verdict.
 Phrase namedQuantities(const std::vector<TestPart> &parts, Verdict verdict) {
-    Phrase result;
-    qsizetype named = 0;
+    NamedResults results(parts);
     for (const TestPart &part : parts) {
         for (const Parameter &parameter : part.evaluation.parameters) {
-            if (!counts(part) || !isLimited(parameter, part.head()) || parameter.verdict != verdict ||
-                !parameter.value)
-                continue;
-            if (++named > mostNamed)
-                continue;
-            if (named > 1)
-                result.spans.push_back({QStringLiteral(", ")});
-            result += symbolPhrase(parameter);
-            result.spans.push_back({QStringLiteral(" (") + briefTestName(part) + u')'});
+            if (counts(part) && isLimited(parameter, part.head()) && parameter.verdict == verdict &&
+                parameter.value)
+                results.add(part, symbolPhrase(parameter));
         }
     }
-    if (named > mostNamed)
-        result.spans.push_back({QStringLiteral(", …")});
-    return result;
+    return results.take();
 }
 
 /// "Not evaluable: A (X axis; one run in each direction)."; empty if every limit was evaluated.
 QString notEvaluable(const std::vector<TestPart> &parts) {
     const Writer &write = parts.front().write;
-    QStringList items;
+    NamedResults results(parts);
     for (const TestPart &part : parts) {
         for (const AgreedLimit &limit : part.evaluation.limits) {
             if (counts(part) && limit.reason)
-                items << QString::fromStdString(limit.symbol) + QStringLiteral(" (") + briefTestName(part) +
-                             write.semicolon() + write.text(notEvaluableText(*limit.reason)) + u')';
+                results.add(part, QString::fromStdString(limit.symbol),
+                            write.text(notEvaluableText(*limit.reason)));
         }
     }
-    return items.empty()
-               ? QString()
-               : write.say(REPORT_TEXT("report", "Not evaluable: %1."), items.join(QStringLiteral(", ")));
+    const QString names = results.take().plain();
+    return names.isEmpty() ? QString()
+                           : onePeriod(write.say(REPORT_TEXT("report", "Not evaluable: %1."), names));
 }
 
 Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const QString &rule) {
@@ -377,17 +445,18 @@ Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const 
         return joined({met, rule}, write.semicolon()) + u'.';
     }
     Phrase result = namedQuantities(parts, *whole.verdict);
+    const auto period = [&result] { return result.plain().endsWith(u'…') ? QString() : QStringLiteral("."); };
     if (*whole.verdict == Verdict::doesNotConform) {
         const Phrase open = namedQuantities(parts, Verdict::notProven);
         if (!open.spans.empty()) {
             result.spans.push_back(
-                {QStringLiteral(". ") + write.text(REPORT_TEXT("report", "Not proven:")) + u' '});
+                {period() + u' ' + write.text(REPORT_TEXT("report", "Not proven:")) + u' '});
             result += open;
         }
     }
-    QString rest = result.spans.empty() ? QString() : QStringLiteral(".");
+    QString rest = result.spans.empty() ? QString() : period();
     if (const QString open = notEvaluable(parts); !open.isEmpty())
-        rest += (rest.isEmpty() ? QString() : QStringLiteral(" ")) + open;
+        rest += (result.spans.empty() ? QString() : QStringLiteral(" ")) + open;
     if (!one)
         rest += u' ' + write.language().sentence(
                            {REPORT_TEXT_COUNTED("report", "Met: %n of %1 limits."), {limits}, whole.met});

@@ -330,6 +330,45 @@ private slots:
         }
     }
 
+    void namesTestsOfTheSameAxisByNumber_data() {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("one") << 1 << "R (X axis), R (Y axis). Not proven: B (X axis), B (Y axis). ";
+        QTest::newRow("three") << 3
+                               << "R (X axis, tests 1, 3, 4), R (Y axis). "
+                                  "Not proven: B (X axis, tests 1, 3, 4), B (Y axis). ";
+        QTest::newRow("seven") << 7
+                               << "R (X axis, 7 tests), R (Y axis). "
+                                  "Not proven: B (X axis, 7 tests), B (Y axis). ";
+    }
+    void namesTestsOfTheSameAxisByNumber() {
+        QFETCH(int, count);
+        QFETCH(QString, expected);
+        Document several = *document("limits-2006");
+        Test other = *several.tests.front();
+        several.tests.assign(static_cast<std::size_t>(count), several.tests.front());
+        std::get<PositioningMeasurement>(other.measurement).axis.name = "Y";
+        several.tests.insert(several.tests.begin() + 1, std::make_shared<const Test>(other));
+        const QString all = text(std::make_shared<const Document>(several), Language(Language::Id::english));
+        const QString line = all.mid(all.indexOf("Limits  exceeded")).section(u'\n', 0, 0);
+        QVERIFY2(line.startsWith("Limits  exceeded  " + expected), qPrintable(line));
+    }
+
+    /// More than are named end with dots, and without a period after them.
+    void namesTheFirstOfManyAxes() {
+        Document several = *document("limits-2006");
+        const Test first = *several.tests.front();
+        several.tests.clear();
+        for (const char *axis : {"X", "Y", "Z", "U", "V", "W", "A"}) {
+            Test test = first;
+            std::get<PositioningMeasurement>(test.measurement).axis.name = axis;
+            several.tests.push_back(std::make_shared<const Test>(test));
+        }
+        const QString all = text(std::make_shared<const Document>(several), Language(Language::Id::english));
+        QVERIFY(all.contains("R (W axis), … Not proven: B (X axis),"));
+        QVERIFY(all.contains("B (W axis), … Met: 7 of 21 limits."));
+    }
+
     void countsLimitsInTheSingular() {
         const auto summary = [](double first, double second, Language::Id id) {
             QJsonObject root = QJsonDocument::fromJson(writeDocument(*document("two-tests"))).object();

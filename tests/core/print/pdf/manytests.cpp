@@ -72,6 +72,41 @@ std::vector<std::vector<Line>> linesOf(const QByteArray &pdf) {
 
 constexpr double footer = 18 * mm;
 
+/// A word of a page with its place to a tenth of a point.
+using Word = std::tuple<long, long, QString>;
+
+/// Words of the first pages, by page from 0, that begin left of `end` and above the footer.
+std::vector<std::set<Word>> wordsOf(const QByteArray &pdf, int pages, double end) {
+    std::vector<std::set<Word>> result;
+    double bottom = 0;
+    QXmlStreamReader xml(
+        run(u"pdftotext"_s, {u"-bbox"_s, u"-l"_s, QString::number(pages), u"-"_s, u"-"_s}, pdf));
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (!xml.isStartElement())
+            continue;
+        const auto number = [&](QLatin1StringView name) { return xml.attributes().value(name).toDouble(); };
+        if (xml.name() == u"page") {
+            result.emplace_back();
+            bottom = number("height"_L1) - footer;
+        } else if (xml.name() == u"word") {
+            const double left = number("xMin"_L1);
+            const double top = number("yMin"_L1);
+            if (left < end && top < bottom)
+                result.back().insert({std::lround(10 * left), std::lround(10 * top), xml.readElementText()});
+        }
+    }
+    return result;
+}
+
+/// A hundred times the same test.
+Document hundredTests() {
+    Document document = storedDocument(u"limits-2006"_s);
+    document.tests.assign(100, document.tests.front());
+    document.report.leaveOut = {ReportPart::annex};
+    return document;
+}
+
 } // namespace
 
 /// Reports over several tests: what their pages hold, and how many there are.
@@ -87,6 +122,8 @@ private slots:
     void beforeAndAfterStandSideBySide();
     void everyTargetStandsOnce();
     void noLineEndsWithinANameOrNumber();
+    void numbersOfTestsStayOnOneLine();
+    void theFirstPageIsThatOfTheReport();
 };
 
 void ManyTests::pagesAreBounded_data() {
@@ -397,6 +434,31 @@ void ManyTests::noLineEndsWithinANameOrNumber() {
         }
     }
     QVERIFY(breaks > 3000);
+}
+
+void ManyTests::numbersOfTestsStayOnOneLine() {
+    const Document document = hundredTests();
+    std::set<QString> numbers;
+    for (const auto &page : wordsOf(pdfOf(reportOf(document, Language::Id::english)), 9, 25 * mm)) {
+        for (const Word &word : page)
+            numbers.insert(std::get<QString>(word));
+    }
+    for (std::size_t number = 1; number <= document.tests.size(); ++number)
+        QVERIFY2(numbers.contains(QString::number(number)), qPrintable(QString::number(number)));
+}
+
+/// The page shown while the others are composed has what the printed one has, except for the numbers of
+/// pages.
+void ManyTests::theFirstPageIsThatOfTheReport() {
+    constexpr double pageColumn = 182 * mm;
+    const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(hundredTests()));
+    QByteArray shown;
+    ReportOptions options;
+    options.onFirstPage = [&shown](const Report &first) { shown = pdfOf(first); };
+    const Report report = composeReport(evaluated, Language(Language::Id::french), options);
+    const auto expected = wordsOf(pdfOf(report), 1, pageColumn).front();
+    QVERIFY(expected.size() > 150);
+    QVERIFY(wordsOf(shown, 1, pageColumn).front() == expected);
 }
 
 QTEST_MAIN(ManyTests)
