@@ -171,12 +171,13 @@ void Form::beginGroup(const char *name) {
     auto *label = new QLabel(body());
     label->setWordWrap(true);
     m_titles.push_back({label, name, {}});
-    if (!m_group) {
+    const bool first = !m_group;
+    if (first) {
         m_groups = inColumn(rowGap, {});
         m_groups->setContentsMargins(noMargins);
         addToPlace(m_groups);
     }
-    m_group = new GroupLayout(label, rowGap);
+    m_group = new GroupLayout(label, rowGap, first);
     m_groups->addLayout(m_group);
     m_row = nullptr;
     m_columns = nullptr;

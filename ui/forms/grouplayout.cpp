@@ -14,12 +14,14 @@ namespace {
 
 constexpr int nameWidth = 88;
 constexpr int nameGap = 8;
+constexpr int aboveName = 8;   ///< where it precedes the rows of a further group
 constexpr int leastRows = 520; ///< pixels that the fields of a row need for their labels
 
 } // namespace
 
-GroupLayout::GroupLayout(QLabel *name, int gap)
-    : m_rows(new QVBoxLayout) {
+GroupLayout::GroupLayout(QLabel *name, int gap, bool first)
+    : m_rows(new QVBoxLayout)
+    , m_first(first) {
     setContentsMargins(0, 0, 0, 0);
     name->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     addChildWidget(name);
@@ -64,8 +66,9 @@ std::array<QRect, 2> GroupLayout::placesIn(int width) const {
     if (beside >= leastRows)
         return {QRect(0, 0, nameWidth + nameGap, heightOf(name, nameWidth + nameGap)),
                 QRect(nameWidth + nameGap, 0, beside, heightOf(*m_rows, beside))};
+    const int above = m_first ? 0 : aboveName;
     const int height = heightOf(name, width);
-    return {QRect(0, 0, width, height), QRect(0, height, width, heightOf(*m_rows, width))};
+    return {QRect(0, above, width, height), QRect(0, above + height, width, heightOf(*m_rows, width))};
 }
 
 QSize GroupLayout::sizeHint() const {

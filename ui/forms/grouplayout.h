@@ -15,8 +15,8 @@ class GroupLayout : public QLayout {
     Q_DISABLE_COPY(GroupLayout)
 
 public:
-    /// `gap`: height between two rows, pixels.
-    GroupLayout(QLabel *name, int gap);
+    /// `gap`: height between two rows, pixels; `first` of its section: directly below what precedes it.
+    GroupLayout(QLabel *name, int gap, bool first);
     ~GroupLayout() override;
 
     void addRow(QLayout *row);
@@ -36,6 +36,7 @@ private:
     [[nodiscard]] std::array<QRect, 2> placesIn(int width) const;
 
     QVBoxLayout *m_rows;
+    bool m_first;
     std::vector<QLayoutItem *> m_items; ///< name, rows; owned
 };
 

@@ -29,7 +29,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr const char *sheetContext = "palmer::ui::SheetPage";
-constexpr std::array columnWidths{52, 200, 120, 72, 60, 56, 110, 72, 60, 72, 120, 88};
+constexpr std::array columnWidths{52, 200, 120, 72, 60, 56, 110, 72, 72, 72, 120, 88};
 constexpr int mostForObject = 200; ///< more than that, in wide windows
 
 /// The guard picture of a row, its verdict behind its icon; else the text.
