@@ -442,7 +442,7 @@
     </message>
     <message>
         <source>Type test, eight machines</source>
-        <translation>Essai de type, huit machines</translation>
+        <translation>Essai de type, 8 machines</translation>
     </message>
 </context>
 <context>
