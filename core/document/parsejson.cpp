@@ -292,7 +292,8 @@ private:
         // The point but no sign: one more than digits.
         if (!hasExponent && at != point && at - first - (negative ? 1 : 0) <= mostDigits + 1 &&
             digits <= largestExact) {
-            const double size = static_cast<double>(digits) / powersOfTen[at - point - 1];
+            const auto decimals = static_cast<std::size_t>(at - point - 1);
+            const double size = static_cast<double>(digits) / powersOfTen[decimals];
             value = negative ? -size : size;
         } else {
             if (hasExponent) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language/papercharacters.h"
 
+#include <QList>
 #include <algorithm>
 #include <array>
 

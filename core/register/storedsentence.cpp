@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/storedsentence.h"
 
+#include <QStringList>
 #include <deque>
 
 namespace palmer {

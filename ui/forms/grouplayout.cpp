@@ -34,8 +34,11 @@ GroupLayout::GroupLayout(QLabel *name, int gap, bool first)
 
 // A layout owns its items; one that is deleted looks for itself among those of its parent.
 GroupLayout::~GroupLayout() {
-    while (QLayoutItem *item = GroupLayout::takeAt(0))
+    while (!m_items.empty()) {
+        const QLayoutItem *item = m_items.back();
+        m_items.pop_back();
         delete item;
+    }
 }
 
 void GroupLayout::addRow(QLayout *row) {

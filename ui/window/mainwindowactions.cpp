@@ -7,6 +7,7 @@
 #include "ui/theme.h"
 #include "ui/window/mainwindow.h"
 #include "ui/window/openregister.h"
+#include "ui/window/searchbox.h"
 #include "ui/window/workplace.h"
 #include "ui/windowlanguage.h"
 
@@ -235,12 +236,12 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
             {.icon = "maxi", .keys = {K(Qt::Key_F11)}, .possible = isOpen}),
         lineIn(M::view),
         row(M::view, A::largerText, "largerText", QT_TR_NOOP("Lar&ger text"),
-            [](W &w) { w.changeTextSize(1); },
+            [](W &) { W::changeTextSize(1); },
             {.keys = {K(ctrl | Qt::ALT | Qt::Key_Plus), K(ctrl | Qt::ALT | Qt::Key_Equal)}}),
         row(M::view, A::smallerText, "smallerText", QT_TR_NOOP("&Smaller text"),
-            [](W &w) { w.changeTextSize(-1); }, {.keys = {K(ctrl | Qt::ALT | Qt::Key_Minus)}}),
+            [](W &) { W::changeTextSize(-1); }, {.keys = {K(ctrl | Qt::ALT | Qt::Key_Minus)}}),
         row(M::view, A::normalText, "normalText", QT_TR_NOOP("&Text of usual size"),
-            [](W &w) { w.changeTextSize(0); }, {.keys = {K(ctrl | Qt::ALT | Qt::Key_0)}}),
+            [](W &) { W::changeTextSize(0); }, {.keys = {K(ctrl | Qt::ALT | Qt::Key_0)}}),
         lineIn(M::view),
         menuIn(M::view, M::units, QT_TR_NOOP("&Units")),
         row(M::units, A::micrometres, "lengths1", QT_TR_NOOP("Lengths: µm and mm"),

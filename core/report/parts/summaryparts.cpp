@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/parts.h"
 
-#include "kernel/evaluation/applylimits.h"
-
 #include "document/testsofverdict.h"
+#include "kernel/evaluation/applylimits.h"
 #include "kernel/evaluation/conformity.h"
 #include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"
@@ -13,7 +12,7 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
+#include <span>
 
 namespace palmer {
 
@@ -155,7 +154,7 @@ private:
         m_table.columns.push_back(page);
     }
 
-    /// Of the column of the numbers of tests: they never wrap.
+    /// The width of the column of the tests' numbers, which never wrap.
     [[nodiscard]] double numberWidth() const {
         const auto digits = static_cast<double>(std::to_string(m_parts.size()).size());
         return std::max(leastNumberWidth, numberPadding + digits * digitWidth);
@@ -360,7 +359,7 @@ public:
 
     [[nodiscard]] Phrase take() const {
         Phrase result;
-        for (const Named &named : m_results | std::views::take(mostNamed)) {
+        for (const Named &named : std::span(m_results).first(std::min(m_results.size(), mostNamed))) {
             if (!result.spans.empty())
                 result.spans.push_back({QStringLiteral(", ")});
             result += named.symbol;

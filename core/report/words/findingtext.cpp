@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/accordance.h"
 #include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/testevaluation.h"
 #include "report/words/accordancetext.h"
 
 #include <QStringList>

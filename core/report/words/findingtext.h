@@ -9,6 +9,8 @@
 
 namespace palmer {
 
+struct TestEvaluation;
+
 /// A finding in words: its sentence, and for practice the remark that the text is not available.
 [[nodiscard]] QString findingText(const Finding &finding, const Language &language);
 
