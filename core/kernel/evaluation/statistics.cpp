@@ -13,6 +13,7 @@ namespace palmer {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// d_2 of normal samples as ISO 230-2:1988 tabulates it, n = 2 … 10.
 constexpr std::array rangeFactors{1.128, 1.693, 2.059, 2.326, 2.534, 2.704, 2.847, 2.970, 3.078};
@@ -22,19 +23,28 @@ template <bool ranges, class Value>
 void columnStatistics(const Value *values, std::size_t runs, std::size_t stride,
                       DirectionStatisticsOf<Value> &result) {
     Value sum = 0;
-    Value low = std::numeric_limits<double>::infinity();
-    Value high = -std::numeric_limits<double>::infinity();
+    Value low = infinity;
+    Value high = -infinity;
     int n = 0;
-    for (std::size_t run = 0; run < runs; ++run) {
-        const Value x = values[run * stride];
-        if (isMissing(x))
-            continue;
+    const auto add = [&](const Value &x) {
         sum += x;
         if constexpr (ranges) {
             low = smaller(x, low);
             high = larger(x, high);
         }
         ++n;
+    };
+    for (std::size_t run = 0; run < runs; ++run)
+        add(values[run * stride]);
+    if (isMissing(sum)) { // seldom: a reading is missing
+        sum = 0;
+        low = infinity;
+        high = -infinity;
+        n = 0;
+        for (std::size_t run = 0; run < runs; ++run) {
+            if (const Value x = values[run * stride]; !isMissing(x))
+                add(x);
+        }
     }
     result.n = n;
     if (n == 0) {

@@ -137,9 +137,7 @@ public:
             if (!(first ? firstBlock(next) : stage(done, next)))
                 return std::nullopt;
             done += next;
-            if (next == block) // only blocks of this size are averaged; all count in the total
-                noteBlock();
-            finishBlock();
+            finishBlock(next == block); // only blocks of this size are averaged; all count in the total
             result.stable = done >= fewestDecidingTrials && stable();
         }
         result.trials = done;
@@ -300,36 +298,51 @@ private:
             m_block[k % m_parameters].add(m_groupMoments[k]);
     }
 
-    /// Adds the last block to the total.
-    void finishBlock() {
-        for (std::size_t p = 0; p < m_parameters; ++p)
-            m_moments[p].add(m_block[p]);
-        m_block.assign(m_parameters, {});
-        for (Worker &worker : m_workers) {
-            for (std::size_t k = 0; k < m_counts.size(); ++k)
-                m_counts[k] += worker.counts[k];
-            std::ranges::fill(worker.counts, 0);
-        }
+    /// Calls `work(p)` for each parameter, on all threads.
+    template <class Work>
+    void eachParameter(const Work &work) {
+        std::atomic<std::size_t> next = 0;
+        const auto loop = [&] {
+            for (std::size_t p = next++; p < m_parameters; p = next++)
+                work(p);
+        };
+        std::vector<std::future<void>> others;
+        for (std::size_t k = 1; k < std::min(m_workers.size(), m_parameters); ++k)
+            others.push_back(runInBackground(true, loop));
+        loop();
+        for (std::future<void> &other : others)
+            other.get();
     }
 
-    /// Records the averages of the last block to assess stability.
-    void noteBlock() {
-        std::vector<long long> block(FineCounts::count);
-        m_averages.resize(m_parameters);
-        for (std::size_t p = 0; p < m_parameters; ++p) {
-            std::ranges::fill(block, 0);
+    /// Adds the last block to the total. `averaged`: records its averages to assess stability.
+    void finishBlock(bool averaged) {
+        if (averaged)
+            m_averages.resize(m_parameters);
+        eachParameter([&](std::size_t p) {
+            std::vector<long long> block(FineCounts::count);
             for (Worker &worker : m_workers) {
                 const auto more = counts(worker.counts, p);
                 for (std::size_t k = 0; k < block.size(); ++k)
                     block[k] += more[k];
+                std::ranges::fill(more, 0);
             }
-            const CoverageInterval interval = shortestInterval(m_fine[p], block);
-            m_averages[p].means.push_back(m_block[p].mean());
-            m_averages[p].u.push_back(m_block[p].deviation());
-            m_averages[p].low.push_back(interval.low);
-            m_averages[p].high.push_back(interval.high);
-            m_averages[p].expanded.push_back((interval.high - interval.low) / 2);
-        }
+            if (averaged)
+                noteBlock(p, block);
+            const auto all = counts(m_counts, p);
+            for (std::size_t k = 0; k < block.size(); ++k)
+                all[k] += block[k];
+            m_moments[p].add(m_block[p]);
+        });
+        m_block.assign(m_parameters, {});
+    }
+
+    void noteBlock(std::size_t p, const std::vector<long long> &block) {
+        const CoverageInterval interval = shortestInterval(m_fine[p], block);
+        m_averages[p].means.push_back(m_block[p].mean());
+        m_averages[p].u.push_back(m_block[p].deviation());
+        m_averages[p].low.push_back(interval.low);
+        m_averages[p].high.push_back(interval.high);
+        m_averages[p].expanded.push_back((interval.high - interval.low) / 2);
     }
 
     /// True if stable for every parameter that varies, with the tolerance of u of all trials.
