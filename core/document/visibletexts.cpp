@@ -21,8 +21,8 @@ void showTexts(nlohmann::json &value) {
         std::ranges::for_each(value, showTexts);
 }
 
-/// True if a file written by Palmer has a character to be shown: those are escapes in it, which besides only
-/// quotation marks, backslashes and ends of lines are.
+/// True if a file written by Palmer has a character to be shown. Such characters are escaped in the file; the
+/// only other escapes are quotation marks, backslashes and line ends.
 bool hasEscapedCharacter(const QByteArray &file) {
     for (qsizetype at = file.indexOf('\\'); at >= 0; at = file.indexOf('\\', at + 2)) {
         if (QByteArrayView("utrbf").contains(file.at(at + 1)))

@@ -19,8 +19,8 @@ struct ReportOptions {
     QByteArray testFile = {};  ///< source file, byte for byte; empty: as the document would be saved
     std::stop_token stop = {}; ///< if stop is requested, the report lacks tests
     bool annex = true;         ///< false: without the annex, whatever the file says
-    /// Receives the report as soon as it has the blocks of its first page, which takes a fraction of the
-    /// time; not called for a report of drift tests alone.
+    /// Receives the blocks of the first page as soon as they are there, which takes a fraction of the time;
+    /// of long tables only the rows that a page may hold. Not called for a report of drift tests alone.
     std::function<void(const Report &)> onFirstPage = {};
 };
 

@@ -27,8 +27,8 @@ namespace palmer {
 
 namespace {
 
-/// Text is measured and drawn in units in which most of it, 8.5 points, has the size of the font's own em
-/// square: its advances are whole numbers, which Qt writes shorter into the PDF. Sizes are whole units.
+/// Text is measured and drawn in these units. In them most of it, of 8.5 points, is as large as the em square
+/// of its font: its advances are whole numbers, which Qt writes shorter into the PDF. Sizes are whole units.
 constexpr double unitsPerPoint = 2048 / 8.5;
 constexpr double scriptSize = 0.75;
 constexpr double paperSubscriptDrop = 0.22; ///< fraction of the text size

@@ -331,7 +331,7 @@ Whole wholeOf(const std::vector<TestPart> &parts) {
     return whole;
 }
 
-/// The end of a sentence whose list of names may end with dots.
+/// Leaves out the period of a sentence whose list of names ends with dots.
 QString onePeriod(QString sentence) {
     return sentence.replace(QLatin1StringView("…."), QLatin1StringView("…"));
 }

@@ -18,6 +18,8 @@
 #include <QHashSeed>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QProcess>
+#include <QTemporaryFile>
 #include <ctime>
 #include <optional>
 #include <qpdf/QPDF.hh>
@@ -203,6 +205,8 @@ private slots:
     void longReportsAreDrawnIntoAFile();
     void saysThatThereIsNoRoomForThePages();
     void packedRowsPrintAsOthers();
+    void textsDrawnAsOneKeepTheirColours();
+    void textsDrawnAsOneKeepTheirCells();
     void plainTextsAreDrawnAsQtDrawsThem();
     void moreThanFourGigabytesAreRefused();
     void saysThatTheDeviceIsFull();
@@ -388,6 +392,46 @@ void WritePdf::packedRowsPrintAsOthers() {
     report.blocks = {packed};
     QCOMPARE(pdfOf(report), pdf);
     QVERIFY(pageTexts(pdf).size() > 20);
+}
+
+void WritePdf::textsDrawnAsOneKeepTheirColours() {
+    const TextRun plain{u"plain "_s};
+    TextRun grey{u"grey "_s};
+    grey.grey = true;
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    QPainter painter(&writer);
+    TextBlock(RichText{plain, grey}, {8.5, false, black, 1.2}).draw(painter, {0, 0});
+    painter.end();
+    QPDF read;
+    read.processMemoryFile("pdf", buffer.data().constData(), static_cast<std::size_t>(buffer.data().size()));
+    QPDFObjectHandle page = read.getAllPages().at(0);
+    const auto content = page.getKey("/Contents").getStreamData();
+    const std::string all(reinterpret_cast<const char *>(content->getBuffer()), content->getSize());
+    const std::size_t first = all.find("/CSp cs 0 0 0 scn");
+    const std::size_t second = all.find("/CSp cs 0.2", first);
+    QVERIFY(first != std::string::npos && second != std::string::npos);
+    QVERIFY(all.find(" Tj", first) < second);
+    QVERIFY(all.find(" Tj", second) != std::string::npos);
+}
+
+void WritePdf::textsDrawnAsOneKeepTheirCells() {
+    Table table;
+    table.columns = {columnOf(u"first head"_s, 40), columnOf(u"second head"_s, 40)};
+    table.rows = {{Cell(u"north"_s), Cell(u"south"_s)}, {Cell(u"east"_s), Cell(u"west"_s)}};
+    Report report = reportOf(storedDocument(u"one-direction"_s), Language::Id::english);
+    report.blocks = {table};
+    QTemporaryFile file;
+    QVERIFY(file.open());
+    file.write(pdfOf(report));
+    file.close();
+    QProcess process;
+    process.start(u"pdfinfo"_s, {u"-struct-text"_s, file.fileName()});
+    QVERIFY(process.waitForFinished(-1));
+    const QString structure = squeezed(QString::fromUtf8(process.readAllStandardOutput()));
+    for (const QString &cell : {u"TD\"north\""_s, u"TD\"south\""_s, u"TD\"east\""_s, u"TD\"west\""_s})
+        QVERIFY2(structure.contains(cell), qPrintable(structure));
 }
 
 /// They are neither shaped nor measured as a whole.
