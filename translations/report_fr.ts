@@ -5460,6 +5460,14 @@
         <translation>c’est une mesure angulaire d’un axe linéaire (tangage, lacet), et non un essai de positionnement&#x202f;; mesurer l’axe avec une optique linéaire</translation>
     </message>
     <message>
+        <source>Statements are also taken from the sheets without a table: %1.</source>
+        <translation>Des indications sont aussi tirées des feuilles sans tableau&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The date %1 is not one that is known; it stays as text in the remarks.</source>
+        <translation>La date %1 n’est pas une date connue&#x202f;; elle reste sous forme de texte dans les remarques.</translation>
+    </message>
+    <message>
         <source>The date %1 can be read in several ways; it stays as text in the remarks.</source>
         <translation>La date %1 peut se lire de plusieurs façons&#x202f;; elle reste sous forme de texte dans les remarques.</translation>
     </message>

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/filenotes.h"
 
+#include "import/labelledvalues.h"
 #include "import/layouts/sections.h"
+#include "import/notelabels.h"
 #include "kernel/words/characters.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
 
 #include <QRegularExpression>
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <map>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace palmer {
@@ -18,7 +22,6 @@ namespace palmer {
 namespace {
 
 constexpr std::size_t mostLines = 300;
-constexpr std::size_t longestLine = 500;
 
 const QRegularExpression &pattern(const char *text) {
     thread_local std::map<const char *, QRegularExpression> patterns;
@@ -103,67 +106,212 @@ bool readForm(const std::string &line, FileNotes &notes) {
     return false;
 }
 
-/// "Air temperature: 20.5 °C": a sensor with its start value.
-bool readTemperature(const QString &line, FileNotes &notes) {
-    constexpr std::size_t mostSensors = 20;
+/// "n/a", "-", "---": the label is there and says nothing.
+bool saysNothing(std::string_view value) {
+    constexpr std::string_view words =
+        "|n/a|na|none|unknown|?|keine|aucun|aucune|unbekannt|inconnu|k. a.|k.a.|s/o|";
+    const std::string low = folded(value);
+    return low.find_first_not_of("-_. ") == std::string::npos ||
+           words.find('|' + low + '|') != std::string_view::npos;
+}
+
+std::string joined(std::span<const std::string> values) {
+    std::string all;
+    for (const std::string &value : values)
+        all += (all.empty() ? "" : " ") + value;
+    return all;
+}
+
+/// A value with one of `units` behind it or in its label.
+std::optional<double> valueIn(const LabelledValue &said, const char *units) {
+    const QString value = QString::fromStdString(joined(said.values));
+    const auto match = pattern(R"(^(\d+(?:[.,]\d+)?)\s*)").match(value);
+    const QString rest = value.mid(match.capturedLength());
+    const auto unit = pattern(units).match(rest);
+    const bool isUnit = unit.hasMatch() && unit.capturedLength() == rest.size();
+    const bool isInLabel =
+        rest.isEmpty() && pattern(units).match(QString::fromStdString(said.label)).hasMatch();
+    return match.hasMatch() && (isUnit || isInLabel) ? positiveNumber(match.captured(1)) : std::nullopt;
+}
+
+/// Reads the facts of a test from labels and their values. Of two values of one fact the first is taken.
+class NoteReader {
+public:
+    explicit NoteReader(FileNotes &notes)
+        : m(notes) {}
+
+    /// Takes the labelled facts of a line; returns what is left.
+    std::vector<LabelledValue> read(const std::vector<LabelledValue> &line) {
+        std::vector<LabelledValue> rest;
+        for (const LabelledValue &said : line) {
+            noteInstrument(said);
+            m_more.clear();
+            const auto fact = said.label.empty() || said.values.empty() ? std::nullopt : factOf(said.label);
+            if (!fact || !take(*fact, said))
+                rest.push_back(said);
+            else if (!m_more.empty())
+                rest.push_back({{}, {m_more}, m_more});
+        }
+        return rest;
+    }
+
+private:
+    void noteInstrument(const LabelledValue &said) {
+        const std::string &text = said.label.empty() ? said.text : said.label;
+        m.isOfInstrument = namesInstrument(text) || (m.isOfInstrument && !namesMachine(text));
+    }
+
+    bool take(NoteFact fact, const LabelledValue &said) {
+        if (said.values.size() == 1 && saysNothing(said.values.front()))
+            return true;
+        switch (fact) {
+        case NoteFact::machine:
+            return takeText(m.machine, said);
+        case NoteFact::serialNumber:
+            return (!m.isOfInstrument || namesMachine(said.label)) && takeText(m.serialNumber, said);
+        case NoteFact::operatorName:
+            return takeText(m.operatorName, said);
+        case NoteFact::axis:
+            return takeLetters(m.axis, R"(^([A-Z][0-9]?)\b)", said);
+        case NoteFact::plane:
+            return takeLetters(m.plane, R"(^([XYZ]{2})\b)", said);
+        case NoteFact::date:
+        case NoteFact::time:
+            return takeDay(said);
+        case NoteFact::feed:
+            return takeNumber(m.feed, valueIn(said, R"(mm\s*/\s*min)"));
+        case NoteFact::airPressure:
+            return takeNumber(m.airPressure, valueIn(said, R"(hPa|mbar)"));
+        case NoteFact::airHumidity:
+            return takeNumber(m.airHumidity, valueIn(said, R"(%(?:\s*r\.?\s*[FH]\.?)?)"));
+        case NoteFact::temperature:
+            return takeTemperature(said);
+        }
+        return false;
+    }
+
+    bool takeText(std::string &field, const LabelledValue &said) {
+        constexpr std::size_t longest = 80; // bytes
+        const std::string &value = said.values.front();
+        if (value.size() > longest || (!field.empty() && field != value))
+            return false;
+        field = value;
+        m_more = joined(std::span(said.values).subspan(1));
+        return true;
+    }
+
+    /// A label rules over a title.
+    bool takeLetters(std::string &field, const char *letters, const LabelledValue &said) {
+        const auto found = captured(letters, QString::fromStdString(joined(said.values)));
+        if (!found || (m_labelled.contains(&field) && field != found->toStdString()))
+            return false;
+        field = found->toStdString();
+        m_labelled.insert(&field);
+        return true;
+    }
+
+    static bool takeNumber(std::optional<double> &field, std::optional<double> value) {
+        if (!value || (field && field != value))
+            return false;
+        field = value;
+        return true;
+    }
+
+    /// "13.02.2026", "2026-02-13 14:30", "14:30".
+    bool takeDay(const LabelledValue &said) {
+        const std::string text = joined(said.values);
+        const auto time = timeOfDay(text);
+        const auto date = isoDate(text);
+        if (date && m_isDateLabelled && m.date != date)
+            return false;
+        if (time && !m.time)
+            m.time = time;
+        if (date) {
+            m.date = date;
+            m_isDateLabelled = true;
+            return true;
+        }
+        const bool couldBeDay =
+            pattern(R"(\d[./ -]+[\p{L}\d]+[./, -]+\d{2})").match(QString::fromStdString(text)).hasMatch();
+        if (couldBeDay && m.dateText.empty()) {
+            m.dateText = text;
+            return true;
+        }
+        return time == m.time && time;
+    }
+
+    /// "Air temperature: 20.5 °C": a sensor with its start value, or its end value.
+    bool takeTemperature(const LabelledValue &said) {
+        constexpr std::size_t mostSensors = 20;
+        const auto match = pattern(R"(^(-?\d+(?:[.,]\d+)?)\s*(?:°\s*C|deg\.?\s*C|C)?(?=\s|$)\s*(.*)$)")
+                               .match(QString::fromStdString(joined(said.values)));
+        const auto value = match.hasMatch() ? numberIn(match.captured(1).toStdString()) : std::nullopt;
+        if (!value || *value < -20 || *value > 60)
+            return false;
+        const TemperatureLabel label = temperatureLabel(said.label);
+        auto sensor = std::ranges::find(m.sensors, label.position, &Sensor::position);
+        if (sensor == m.sensors.end()) {
+            if (m.sensors.size() >= mostSensors)
+                return false;
+            m.sensors.push_back({label.measures, label.position, {}, {}, {}});
+            sensor = std::prev(m.sensors.end());
+        }
+        if (!takeNumber(label.isEnd ? sensor->end : sensor->start, value))
+            return false;
+        m_more = match.captured(2).toStdString();
+        return true;
+    }
+
+    FileNotes &m;
+    std::set<const std::string *> m_labelled;
+    bool m_isDateLabelled = false;
+    std::string m_more; ///< values behind the one taken last
+};
+
+void takeEdition(const QString &line, FileNotes &notes, bool &understood) {
+    static const QRegularExpression standard(
+        QStringLiteral(
+            R"(\b(ISO)\s*(230-[24])\s*[:(–-]?\s*(1988|1996|1997|2005|2006|2014|2022)\b|\b(VDI)\s*/?\s*(?:DGQ)?\s*3441\b)"),
+        QRegularExpression::CaseInsensitiveOption);
+    std::set<const Edition *> editions;
+    for (auto all = standard.globalMatch(line); all.hasNext();) {
+        const auto found = all.next();
+        editions.insert(findEdition(found.captured(4).isEmpty() ? "ISO " + found.captured(2).toStdString() +
+                                                                      ':' + found.captured(3).toStdString()
+                                                                : std::string("VDI/DGQ 3441:1977")));
+    }
+    // "Replaces …, evaluated after …" does not say which in a word that is known.
+    if (editions.size() != 1 || !*editions.begin() || notes.edition)
+        return;
+    notes.edition = *editions.begin();
+    understood = true;
+}
+
+/// A date, unless the words before it name another day. A label has to name the day of the test. False if a
+/// date is left.
+bool takeDay(const QString &line, bool isLabelled, FileNotes &notes, bool &understood) {
     const auto match =
         pattern(
-            R"(([\p{L} .]*temp[\p{L}]*[\p{L} .\d]*?)\s*(?:[\(\[]?°?\s*C[\)\]]?)?\s*[:=;]\s*(-?\d+(?:[.,]\d+)?)(?:\s*°\s*C)?\s*(?:;|$))")
+            R"(\d{4}[-/.]\d{1,2}[-/.]\d{1,2}|\d{1,2}[./-]\d{1,2}[./-]\d{2,4}|\d{1,2}\.?[ -]\p{L}{3,9}\.?[ -]\d{4})")
             .match(line);
-    if (!match.hasMatch() || notes.sensors.size() >= mostSensors)
+    const std::string before = line.left(match.capturedStart()).toStdString();
+    if (!match.hasMatch())
+        return true;
+    if (isLabelled ? !labelsDayOfTest(before) : namesOtherDay(before))
         return false;
-    bool isNumber = false;
-    const double value = match.captured(2).replace(u',', u'.').toDouble(&isNumber);
-    if (!isNumber || value < -20 || value > 60)
-        return false;
-    Sensor sensor;
-    sensor.position = match.captured(1).trimmed().toStdString();
-    sensor.measures = measuredBy(sensor.position);
-    // "Temperature" alone does not say of what.
-    if (sensor.measures == SensorMeasures::machine && readHeading(sensor.position).unknownWords == 0)
-        sensor.measures = SensorMeasures::notStated;
-    sensor.start = value;
-    notes.sensors.push_back(std::move(sensor));
-    return true;
+    const auto date = isoDate(match.captured().toStdString());
+    if (date && !notes.date)
+        notes.date = date;
+    else if (!date && notes.dateText.empty())
+        notes.dateText = match.captured().toStdString();
+    const bool isTaken = date ? notes.date == date : notes.dateText == match.captured().toStdString();
+    understood |= isTaken;
+    return isTaken;
 }
 
-/// The texts of the cells that are not empty. "0,1 µm", torn by a comma that also separates cells, is one
-/// again.
-std::vector<std::string> textsIn(const CellTable &table, const TableRow &row) {
-    std::vector<std::string> texts;
-    std::size_t end = 0;
-    for (const TableCell &cell : table.cells(row)) {
-        if (cell.size == 0)
-            continue;
-        const std::string_view text = table.text(cell).substr(0, longestLine);
-        const auto isLetter = [](char c) { return !isDigit(c) && c != '.' && c != '-' && c != '+'; };
-        const bool isTorn = table.delimiter.value == Delimiter::comma && !texts.empty() &&
-                            cell.begin == end + 1 && isDigit(text.front()) && isDigit(texts.back().back()) &&
-                            std::ranges::any_of(texts.back(), isLetter);
-        if (isTorn)
-            texts.back() += ',' + std::string(text);
-        else
-            texts.emplace_back(text);
-        end = cell.begin + cell.size;
-    }
-    return texts;
-}
-
-/// The cells of a row as labels with values: "Machine:" followed by "HAAS", several pairs per row.
-std::string lineOf(const CellTable &table, const TableRow &row) {
-    std::string line;
-    const std::vector<std::string> texts = textsIn(table, row);
-    for (std::size_t place = 0; place < texts.size() && line.size() <= longestLine; ++place) {
-        std::string_view text = texts[place];
-        const bool isLabel = text.ends_with(':') || text.ends_with('=') || (texts.size() == 2 && place == 0);
-        while (isLabel && (text.ends_with(':') || text.ends_with('=') || text.ends_with(' ')))
-            text.remove_suffix(1);
-        line += std::string(text) + (isLabel ? " : " : " ; ");
-    }
-    return line;
-}
-
-bool read(const QString &line, FileNotes &notes) {
+/// What a text says without a label that is known: "Positioning test, X axis, F 1000 mm/min, ISO 230-2:2014".
+bool readWords(const LabelledValue &said, FileNotes &notes) {
+    const QString line = QString::fromStdString(said.text);
     bool understood = false;
     const auto take = [&](std::string &field, const char *text) {
         if (const auto found = captured(text, line); found && field.empty() && !found->isEmpty()) {
@@ -174,56 +322,13 @@ bool read(const QString &line, FileNotes &notes) {
     take(notes.axis, R"(\b(?:axis|axe|achse|asse|eje)\b[\s:=;,|]*([A-Z][0-9]?)\b)");
     take(notes.axis, R"(\b([XYZUVWABC])[ -](?:axis|achse)\b)");
     take(notes.plane, R"(\b(?:plane|plan|ebene|piano|plano)\b[\s:=;,|]*([XYZ]{2})\b)");
-    take(
-        notes.operatorName,
-        R"(\b(?:operator|opérateur|operateur|bediener|prüfer|pruefer|operatore|operador|inspector|by|par)\s*[:=;]\s*([^:=;|,][^;|,]{1,60}))");
-    take(notes.machine,
-         R"(\b(?:machine|maschine|macchina|máquina|maquina)\s*[:=;]\s*([^:=;|,][^;|,]{1,80}))");
-    static const QRegularExpression instrument(
-        QStringLiteral(
-            R"(\b(?:laser|interferom\w*|instrumento?s?|strumento|messger[aä]t|ballbar|sensor|probe|capteur)\b)"),
-        QRegularExpression::CaseInsensitiveOption);
-    static const QRegularExpression machine(QStringLiteral(R"(\b(?:machine|maschine|macchina|m[aá]quina)\b)"),
-                                            QRegularExpression::CaseInsensitiveOption);
-    notes.isOfInstrument =
-        instrument.match(line).hasMatch() || (notes.isOfInstrument && !machine.match(line).hasMatch());
-    if (!notes.isOfInstrument)
-        take(
-            notes.serialNumber,
-            R"((?:\bserial(?: no| number)?|n° de série|numéro de série|\bs/n|\bseriennummer|\bserien-nr|\bmatricola|\bnúmero de serie|\bnº de serie)\.?\s*[:=;]\s*([^:=;|,][^;|,]{0,60}))");
-    if (notes.operatorName == "–" || notes.operatorName == "—")
-        notes.operatorName.clear();
-    understood |= readTemperature(line, notes);
     if (pattern(R"(\b(?:unit|units|unité|unités|unite|einheit|unità|unidad)\b)").match(line).hasMatch() &&
         !notes.unit.isSaid()) {
         notes.unit = unitOfNote(line.toStdString());
         understood |= notes.unit.isSaid();
     }
-    // "Calibrated: 2022-01-01" is no day of the test.
-    static const QRegularExpression otherDay(
-        QStringLiteral(
-            R"(^\D*(?:calib|[eé]talon|kalib|tarat|certif|\bdue\b|valid|[eé]ch[eé]ance|f[aä]llig|scaden|print|)"
-            R"(druck|imprim|install|version|built|baujahr|mise en service))"),
-        QRegularExpression::CaseInsensitiveOption);
-    const bool isOtherDay = otherDay.match(line).hasMatch();
-    if (const auto date = isoDate(line.toStdString()); date && !notes.date && !isOtherDay) {
-        notes.date = date;
-        understood = true;
-    } else if (const auto text = captured(R"(\b(\d{1,2}[./-]\d{1,2}[./-]\d{2,4})\b)", line);
-               text && !date && notes.dateText.empty() && !isOtherDay) {
-        notes.dateText = text->toStdString();
-        understood = true;
-    }
-    static const QRegularExpression standard(
-        QStringLiteral(
-            R"(\b(ISO)\s*(230-[24])\s*[:(–-]?\s*(1988|1996|1997|2005|2006|2014|2022)\b|\b(VDI)\s*/?\s*(?:DGQ)?\s*3441\b)"),
-        QRegularExpression::CaseInsensitiveOption);
-    if (const auto found = standard.match(line); found.hasMatch() && !notes.edition) {
-        notes.edition = findEdition(found.captured(4).isEmpty() ? "ISO " + found.captured(2).toStdString() +
-                                                                      ':' + found.captured(3).toStdString()
-                                                                : std::string("VDI/DGQ 3441:1977"));
-        understood |= notes.edition != nullptr;
-    }
+    const bool isDayLeft = !takeDay(line, !said.label.empty(), notes, understood);
+    takeEdition(line, notes, understood);
     if (SaidSign sign = saidSign(line.toStdString()); !sign.sign.empty() && notes.sign.sign.empty()) {
         notes.sign = std::move(sign);
         understood = true;
@@ -242,15 +347,7 @@ bool read(const QString &line, FileNotes &notes) {
         notes.feed = feed;
         understood = true;
     }
-    return understood;
-}
-
-/// The row as written, from its first cell to its last.
-std::string textOf(const CellTable &table, const TableRow &row) {
-    std::string text;
-    for (const TableCell &cell : table.cells(row))
-        text += (text.empty() || cell.size == 0 ? "" : " ") + std::string(table.text(cell));
-    return text;
+    return understood && !isDayLeft;
 }
 
 /// "; 2024-01-01;; 2024-06-01": days above columns.
@@ -266,10 +363,27 @@ std::string daysIn(const CellTable &table, const TableRow &row) {
     return days.size() > 1 ? list : std::string();
 }
 
+/// The line as written, without separators.
+std::string textOf(std::span<const LabelledValue> line) {
+    std::string text;
+    for (const LabelledValue &said : line)
+        text += (text.empty() ? "" : " ; ") + said.text;
+    return text;
+}
+
 /// "Forward", "ccw", "As found" above a block.
 bool isTitle(std::string_view text) {
     const HeadingWords words = readHeading(text);
     return senseIn(text) || words.direction || words.state != TestRole::notStated;
+}
+
+/// Takes what a line says; returns the text of what is left.
+std::string readLine(const std::vector<LabelledValue> &line, NoteReader &reader, FileNotes &notes) {
+    std::vector<LabelledValue> rest = reader.read(line);
+    std::erase_if(rest, [&](const LabelledValue &said) {
+        return readWords(said, notes) || readForm(said.text, notes) || isTitle(said.text);
+    });
+    return textOf(rest);
 }
 
 } // namespace
@@ -285,36 +399,109 @@ bool isLabelledValue(const CellTable &table, const TableRow &row) {
         std::ranges::count_if(cells, isFilled) > mostCells ||
         std::ranges::count_if(cells, &TableCell::isNumber) > 1)
         return false;
+    if (table.text(*label).ends_with(':'))
+        return true;
     FileNotes notes;
-    return table.text(*label).ends_with(':') || read(QString::fromStdString(lineOf(table, row)), notes);
+    const std::vector<LabelledValue> said = labelledValuesIn(table, row);
+    const std::vector<LabelledValue> rest = NoteReader(notes).read(said);
+    return textOf(rest) != textOf(said) ||
+           std::ranges::any_of(rest, [&](const LabelledValue &one) { return readWords(one, notes); });
 }
 
-SensorMeasures measuredBy(std::string_view name) {
-    constexpr std::array<std::string_view, 12> air{"air",  "ambi",     "luft",  "aria",    "aire",  "room",
-                                                   "raum", "umgebung", "salle", "atelier", "local", "sala"};
-    constexpr std::array<std::string_view, 6> instrument{"instrument", "ballbar", "scale",
-                                                         "laser",      "etalon",  "strument"};
-    const std::string low = folded(name);
-    const auto names = [&](std::string_view word) { return low.find(word) != std::string::npos; };
-    if (std::ranges::any_of(air, names))
-        return SensorMeasures::air;
-    return std::ranges::any_of(instrument, names) ? SensorMeasures::instrument : SensorMeasures::machine;
+namespace {
+
+/// The facts that a line above or between tables states, by the block of numbers below it.
+struct NoteLine {
+    const TableRow *row = nullptr;
+    std::size_t block = 0; ///< index of the block that follows it
+    std::vector<LabelledValue> said;
+    std::string axis; ///< that it names
+};
+
+/// "Machine; Operator; Date" above "DMU; Max; 13.02.2026": labels in a row, their values below.
+bool joinBelow(std::vector<LabelledValue> &labels, std::vector<std::string> values) {
+    const auto isLabel = [](const LabelledValue &one) { return one.values.empty() && factOf(one.label); };
+    if (labels.size() < 2 || values.size() != labels.size() || !std::ranges::all_of(labels, isLabel))
+        return false;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        labels[i].text += ' ' + values[i];
+        labels[i].values = {std::move(values[i])};
+    }
+    return true;
 }
 
-FileNotes notesOf(const CellTable &table, const TableBody &body) {
-    FileNotes notes;
-    std::size_t lines = 0;
+std::vector<NoteLine> noteLines(const CellTable &table, const TableBody &body) {
+    std::vector<NoteLine> lines;
     for (const std::uint32_t index : body.notes) {
-        if (++lines > mostLines)
+        if (lines.size() == mostLines)
             break;
         const TableRow &row = table.rows()[index];
-        const std::string line = lineOf(table, row);
-        const std::string text = textOf(table, row);
-        if (notes.days.empty())
-            notes.days = daysIn(table, row);
-        if (!read(QString::fromStdString(line), notes) && !readForm(text, notes) && !isTitle(text))
-            notes.unused.add(row.line, text);
+        const bool isNext = !lines.empty() && lines.back().row + 1 == &row;
+        if (isNext && joinBelow(lines.back().said, textsIn(table, row)))
+            continue;
+        const auto isAfter = [&](const TableBlock &block) { return block.rows.front() < index; };
+        const auto block = static_cast<std::size_t>(std::ranges::count_if(body.blocks, isAfter));
+        FileNotes own;
+        std::vector<LabelledValue> said = labelledValuesIn(table, row);
+        NoteReader reader(own);
+        readLine(said, reader, own);
+        lines.push_back({&row, block, std::move(said), own.axis});
     }
+    return lines;
+}
+
+/// Moves the lines of blocks of other axes out: what a file says above one of its tests is not said of
+/// another. Lines before the first that names an axis hold for all, unless the wanted block says otherwise.
+std::vector<NoteLine> linesOfOtherAxes(std::vector<NoteLine> &lines, std::string_view wanted) {
+    std::map<std::size_t, std::string> axes; // by block
+    for (const NoteLine &line : lines) {
+        if (!line.axis.empty())
+            axes.try_emplace(line.block, line.axis);
+    }
+    if (axes.size() < 2)
+        return {};
+    const std::string axis(wanted.empty() ? axes.begin()->second : wanted);
+    const auto isOfWanted = [&](const NoteLine &line) {
+        auto of = axes.upper_bound(line.block); // a block without its own belongs to the one before
+        return of == axes.begin() || (--of)->second == axis;
+    };
+    const auto named = std::ranges::find_if(lines, [](const NoteLine &line) { return !line.axis.empty(); });
+    const TableRow *firstNamed = named->row;
+    const auto rest = std::ranges::stable_partition(lines, isOfWanted);
+    const auto others = std::ranges::stable_partition(
+        rest, [&](const NoteLine &line) { return line.row->line < firstNamed->line; });
+    std::vector<NoteLine> moved(std::make_move_iterator(others.begin()),
+                                std::make_move_iterator(others.end()));
+    lines.erase(others.begin(), lines.end());
+    return moved;
+}
+
+} // namespace
+
+FileNotes notesOf(const CellTable &table, const TableBody &body, std::string_view axis) {
+    FileNotes notes;
+    NoteReader reader(notes);
+    std::vector<NoteLine> lines = noteLines(table, body);
+    const std::vector<NoteLine> others = linesOfOtherAxes(lines, axis);
+    for (const NoteLine &line : lines) {
+        if (notes.days.empty())
+            notes.days = daysIn(table, *line.row);
+        if (const std::string rest = readLine(line.said, reader, notes); !rest.empty())
+            notes.unused.add(line.row->line, rest);
+    }
+    for (const NoteLine &line : others)
+        notes.unused.add(line.row->line, textOf(line.said));
+    return notes;
+}
+
+FileNotes notesOf(const CellTable &sheet) {
+    FileNotes notes;
+    TableBody body;
+    for (std::size_t i = 0; i < std::min(sheet.rows().size(), mostLines); ++i)
+        body.notes.push_back(static_cast<std::uint32_t>(i));
+    NoteReader reader(notes);
+    for (const NoteLine &line : noteLines(sheet, body))
+        reader.read(line.said);
     return notes;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "import/filenotes.h"
 #include "import/formats.h"
 #include "import/imported.h"
 
@@ -29,8 +30,12 @@ inline constexpr std::array formatsInOrder{&palmerCsvFormat, &workbookFormat, &r
 /// The decoded text of a file, with a remark if its encoding is a guess.
 [[nodiscard]] std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported);
 
-/// Sets the date of a test. A text that can be read in several ways becomes its remarks, with a note.
+/// Sets the date of a test that has none, and the time in its text. A text that is not one date becomes its
+/// remarks, with a note.
 void takeDate(const std::optional<std::string> &date, const std::string &text, Test &test, Remarks &remarks);
+
+/// Takes what a file states beside its table where nothing is stated yet.
+void takeNotes(const FileNotes &notes, Imported &imported);
 
 /// Reads a measurement from the table of a text or sheet.
 void readMeasurementTable(Choices &choices, Imported &imported);

@@ -6,6 +6,7 @@
 
 #include <QDate>
 #include <QRegularExpression>
+#include <QTime>
 #include <array>
 
 namespace palmer {
@@ -69,13 +70,49 @@ std::optional<std::string> isoDate(std::string_view text) {
         return second > 12 ? validDate(year, first, second) : std::nullopt;
     }
     static const QRegularExpression named(
-        QStringLiteral(R"((?<!\d)(\d{1,2})\.?\s+(?:de\s+)?(\p{L}{3,})\.?\s+(?:de\s+)?(\d{4})(?!\d))"),
+        QStringLiteral(
+            R"((?<!\d)(\d{1,2})(?:st|nd|rd|th|er)?[.]?[\s-]+(?:de\s+)?(\p{L}{3,})[.,]?[\s-]+(?:de\s+)?(\d{4})(?!\d))"
+            R"(|(?<!\p{L})(\p{L}{3,})\.?\s+(\d{1,2})(?:st|nd|rd|th)?,?\s+(\d{4})(?!\d))"), // 13 March, March
+                                                                                           // 13
         QRegularExpression::UseUnicodePropertiesOption);
-    if (const auto match = named.match(line); match.hasMatch()) {
-        if (const int month = monthNamed(match.captured(2)))
-            return validDate(match.captured(3).toInt(), month, match.captured(1).toInt());
+    for (auto all = named.globalMatch(line); all.hasNext();) {
+        const auto match = all.next();
+        const bool dayFirst = !match.captured(1).isEmpty();
+        const int month = monthNamed(match.captured(dayFirst ? 2 : 4));
+        if (month != 0)
+            return validDate(match.captured(dayFirst ? 3 : 6).toInt(), month,
+                             match.captured(dayFirst ? 1 : 5).toInt());
     }
     return {};
+}
+
+bool hasTwoReadings(std::string_view date) {
+    static const QRegularExpression pattern(
+        QStringLiteral(R"((?<!\d)(\d{1,2})([-/.])(\d{1,2})\2(\d{4}|\d{2})(?!\d))"));
+    const auto match = pattern.match(QString::fromUtf8(date.data(), static_cast<qsizetype>(date.size())));
+    const int first = match.captured(1).toInt();
+    const int second = match.captured(3).toInt();
+    const int year = match.captured(4).toInt();
+    return match.hasMatch() && (match.captured(4).size() == 2 ||
+                                (validDate(year, first, second) && validDate(year, second, first)));
+}
+
+std::optional<std::string> timeOfDay(std::string_view text) {
+    static const QRegularExpression pattern(
+        QStringLiteral(R"((?<![\d:])(\d{1,2}):(\d{2})(?::\d{2}(?:[.,]\d+)?)?(?![\d:])\s*([ap])?\.?(?:m\b)?)"),
+        QRegularExpression::CaseInsensitiveOption);
+    const auto match = pattern.match(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())));
+    if (!match.hasMatch())
+        return {};
+    const QString half = match.captured(3).toLower();
+    int hour = match.captured(1).toInt();
+    if (!half.isEmpty() && (hour < 1 || hour > 12))
+        return {};
+    if (!half.isEmpty())
+        hour = hour % 12 + (half == QLatin1StringView("p") ? 12 : 0);
+    const QTime time(hour, match.captured(2).toInt());
+    return time.isValid() ? std::optional(time.toString(QStringLiteral("HH:mm")).toStdString())
+                          : std::nullopt;
 }
 
 bool isDate(std::string_view cell) {

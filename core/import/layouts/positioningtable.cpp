@@ -272,9 +272,6 @@ void readPositioning(TableReading &reading) {
                     reading.choices, reading.result.remarks);
     reading.result.test = testFrom(measurementOf(std::move(passes), form, reading.result.remarks),
                                    axisName(reading), reading.choices, reading.notes.edition);
-    auto &measurement = std::get<PositioningMeasurement>(reading.result.test->measurement);
-    if (measurement.axis.motion == Motion::linear)
-        measurement.conditions.feed = reading.notes.feed;
     reading.result.test->role = reading.stateFound;
 }
 

@@ -5,6 +5,7 @@
 #include "document/place.h"
 #include "document/thermal.h"
 #include "import/layouts/passes.h"
+#include "import/notelabels.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
 

@@ -110,7 +110,7 @@ TableReading::TableReading(Imported &imported, Choices &chosen)
     : result(imported)
     , choices(chosen)
     , body(bodyOf(imported.table, chosenNumbers(chosen)))
-    , notes(notesOf(imported.table, body)) {
+    , notes(notesOf(imported.table, body, chosen.chosen("axis"))) {
     keepOneTable(result.table, body, chosenTable(chosen));
     std::size_t cells = 0;
     for (const TableRow &each : result.table.rows())

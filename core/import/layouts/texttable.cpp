@@ -5,6 +5,7 @@
 #include "import/layouts/tablebody.h"
 #include "import/layouts/tablereading.h"
 #include "tables/contenterror.h"
+#include "tables/dates.h"
 #include "tables/decodetext.h"
 #include "tables/richtext.h"
 
@@ -234,14 +235,19 @@ std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &import
 }
 
 void takeDate(const std::optional<std::string> &date, const std::string &text, Test &test, Remarks &remarks) {
-    if (date)
+    if (date && !test.date) {
         test.date = date;
+        test.time = timeOfDay(text);
+    }
     if (test.date || text.empty())
         return;
     test.remarks = text;
     remarks.note({},
-                 REPORT_TEXT("report", "The date %1 can be read in several ways; it stays as text in "
-                                       "the remarks."),
+                 hasTwoReadings(text)
+                     ? REPORT_TEXT("report", "The date %1 can be read in several ways; it stays as text in "
+                                             "the remarks.")
+                     : REPORT_TEXT("report", "The date %1 is not one that is known; it stays as text in the "
+                                             "remarks."),
                  text);
 }
 
@@ -268,14 +274,33 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
         readPositioning(reading);
     else
         readSeries(reading, kind.value == "temperatures");
-    const FileNotes &notes = reading.notes;
-    imported.machine.name = notes.machine;
-    imported.machine.serialNumber = notes.serialNumber;
-    imported.operatorName = notes.operatorName;
-    if (imported.test)
+    takeNotes(reading.notes, imported);
+}
+
+void takeNotes(const FileNotes &notes, Imported &imported) {
+    const auto fill = [](std::string &field, const std::string &value) {
+        if (field.empty())
+            field = value;
+    };
+    fill(imported.machine.name, notes.machine);
+    fill(imported.machine.serialNumber, notes.serialNumber);
+    fill(imported.operatorName, notes.operatorName);
+    if (imported.test) {
+        Test &test = *imported.test;
         imported.sensors.insert(imported.sensors.end(), notes.sensors.begin(), notes.sensors.end());
-    if (imported.test)
-        takeDate(notes.date, notes.dateText, *imported.test, imported.remarks);
+        takeDate(notes.date, notes.dateText, test, imported.remarks);
+        if (!test.time)
+            test.time = notes.time;
+        if (auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement)) {
+            PositioningConditions &conditions = measurement->conditions;
+            if (!conditions.airPressure)
+                conditions.airPressure = notes.airPressure;
+            if (!conditions.airHumidity)
+                conditions.airHumidity = notes.airHumidity;
+            if (!conditions.feed && measurement->axis.motion == Motion::linear)
+                conditions.feed = notes.feed;
+        }
+    }
     notes.unused.remark(imported.remarks);
 }
 

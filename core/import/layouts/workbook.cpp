@@ -132,7 +132,28 @@ public:
 
     [[nodiscard]] bool hasTable() const { return m_best != none; }
 
+    /// Takes what visible sheets without a table state: machine, operator, day, temperatures.
+    void takeCovers() const {
+        std::string names;
+        for (const Cover &cover : m_covers) {
+            const FileNotes notes = notesOf(cover.table);
+            if (cover.name == m_sheets[m_best].name.toStdString() || notes.saysNothing())
+                continue;
+            takeNotes(notes, m);
+            names += (names.empty() ? "" : ", ") + cover.name;
+        }
+        if (!names.empty())
+            m.remarks.note(
+                {}, REPORT_TEXT("report", "Statements are also taken from the sheets without a table: %1."),
+                excerpt(names));
+    }
+
 private:
+    struct Cover {
+        std::string name;
+        CellTable table;
+    };
+
     static constexpr std::size_t none = -1;
 
     /// True for more than the few numbers of a cover sheet.
@@ -152,6 +173,8 @@ private:
         m.sheets[i].hasMeasurement = readings > 0;
         m_measurements += readings > 0 ? 1 : 0;
         m_tables += isTable(table) ? 1 : 0;
+        if (readings == 0 && !m_sheets[i].isHidden && !isTable(table))
+            m_covers.push_back({m_sheets[i].name.toStdString(), table});
         if (hasTable() && readings <= m_most)
             return;
         m_best = i;
@@ -224,6 +247,7 @@ private:
     const std::vector<SheetName> &m_sheets;
     Choices &m_choices;
     Imported &m;
+    std::vector<Cover> m_covers;
     std::size_t m_best = none; ///< index of a sheet
     std::size_t m_most = 0;
     std::size_t m_measurements = 0;
@@ -259,6 +283,7 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
                                                      "stand there as text can be read in several ways."));
     }
     readMeasurementTable(choices, imported);
+    chooser.takeCovers();
 }
 
 } // namespace

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "import/notelabels.h"
+
+#include "kernel/words/characters.h"
+#include "tables/folded.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace palmer {
+
+namespace {
+
+/// Words, folded, with a blank around each.
+using WordList = std::string_view;
+
+/// A label names a fact if it is one of `names` (parted by commas) once the words of `others` are left out.
+struct LabelRow {
+    NoteFact fact;
+    std::string_view names;
+    WordList others;
+};
+
+constexpr std::array labelRows{
+    LabelRow{NoteFact::machine,
+             "machine,maschine,macchina,maquina,werkzeugmaschine,maschinenname,maschinenbezeichnung",
+             " name nom nome nombre bezeichnung tool outil utensile herramienta of la de der della under "
+             "test "},
+    LabelRow{
+        NoteFact::serialNumber,
+        "serial,serial no,serial number,serial nr,serial num,sn,seriennummer,seriennr,serien nr,serien "
+        "nummer,"
+        "matricola,n de serie,no de serie,nº de serie,numero de serie,numero di serie,num de serie,n serie,"
+        "n di serie,maschinen seriennummer,maschinenseriennummer",
+        " the of machine maschine macchina maquina la der della "},
+    LabelRow{
+        NoteFact::operatorName,
+        "operator,operateur,operatrice,bediener,bedienerin,prufer,pruefer,operatore,operador,operario,"
+        "inspector,inspecteur,technician,technicien,by,par,measured by,tested by,performed by,mesure par,"
+        "essai par,realise par,effectue par,gemessen von,gepruft von,geprueft von,durchgefuhrt von,misurato "
+        "da,"
+        "eseguito da,medido por,realizado por",
+        " name nom nome nombre the of de l "},
+    LabelRow{NoteFact::axis, "axis,axe,achse,asse,eje,messachse,prufachse,pruefachse",
+             " name nom nome nombre measured tested test mesure essai essaye under the of de "},
+    LabelRow{NoteFact::plane, "plane,plan,ebene,piano,plano,messebene",
+             " test measurement mesure essai the of de "},
+    LabelRow{
+        NoteFact::date,
+        "date,datum,data,fecha,day,tag,jour,messdatum,messtag,prufdatum,pruefdatum,prufung vom,messung vom,"
+        "measured,tested,gemessen,gepruft,geprueft,mesure,misurato,medido,started,start,begin,debut",
+        " test on am vom le du de del della d l of the essai mesure measurement der prufung messung prova "
+        "misura "
+        "ensayo medicion and time et heure und uhrzeit e ora y hora "},
+    LabelRow{NoteFact::time, "time,heure,uhrzeit,zeit,ora,hora,start",
+             " of the test start de d l essai mesure measurement der messung prufung debut "},
+    LabelRow{NoteFact::feed,
+             "f,feed,feedrate,feed rate,avance,vitesse d avance,vorschub,vorschubgeschwindigkeit,avanzamento,"
+             "velocidad de avance",
+             " programmed programmee axis "},
+    LabelRow{
+        NoteFact::airPressure,
+        "pressure,air pressure,air press,atmospheric pressure,barometric pressure,pression,pression de air,"
+        "pression atmospherique,luftdruck,pressione,presion,pressure of air",
+        " the l d "},
+    LabelRow{
+        NoteFact::airHumidity,
+        "humidity,air humidity,air humid,relative humidity,rh,humidite,humidite relative,humidite de air,"
+        "luftfeuchte,luftfeuchtigkeit,relative luftfeuchte,relative luftfeuchtigkeit,rel luftfeuchte,feuchte,"
+        "umidita,umidita relativa,humedad,humedad relativa",
+        " the l d of "},
+};
+
+constexpr WordList temperatureWords = " temp temperature temperatures temperatur temperatura t° ";
+constexpr std::string_view temperatureCompound = "temperatur"; // "Lufttemperatur"
+
+/// A temperature with one of these words is no reading of a sensor, or not one during the test.
+constexpr WordList notMeasured =
+    " reference referenz ref bezug bezugs referencia riferimento coefficient coeff coefficiente coeficiente "
+    "koeffizient gradient gradiente limit limite limits grenze grenzwert max min maximum minimum correction "
+    "correzione correccion korrektur compensation kompensation compensazione compensacion difference "
+    "differenz "
+    "differenza diferencia delta drift drifts variation tolerance toleranz time temps zeit expansion range "
+    "plage "
+    "spanne bereich set setpoint soll consigne nominal target calibration kalibrierung etalonnage change "
+    "standard "
+    "norm normal stability stabilite allowed permitted admissible zulassig hours duration duree probe probes "
+    "number nombre anzahl count interval rate resolution accuracy uncertainty unsicherheit incertitude "
+    "error ";
+constexpr WordList sensorWords = " sensor sensors sonde sondes fuhler capteur capteurs sensore sensori ";
+constexpr WordList startWords = " start begin beginning initial debut anfang anfangs beginn inizio inicio ";
+constexpr WordList endWords = " end final finish fin ende fine schluss ";
+
+constexpr WordList machineWords =
+    " machine maschine maschinen macchina maquina material mat materiale matiere materiau pezzo workpiece "
+    "werkstuck "
+    "werkstoff piece table tisch tavola mesa bed bett spindle spindel broche mandrino ";
+constexpr WordList machineNames = " machine maschine macchina maquina ";
+constexpr WordList instrumentWords =
+    " laser interferometer interferometre interferometro instrument instrumente instruments instrumento "
+    "strumento "
+    "messgerat messgeraet ballbar sensor probe capteur encoder controller drehgeber steuerung scale ";
+
+/// Words of a label that do not keep a date from being that of the test.
+constexpr WordList dayWords = " date datum data fecha day tag jour test tests essai essais prova prueba "
+                              "ensayo prufung pruefung messung "
+                              "measurement measurements mesure mesures misura medicion measured tested "
+                              "gemessen gepruft geprueft misurato "
+                              "medido run runs of on the am vom le du de der del della d l and axis axe "
+                              "achse asse eje x y z u v w b c ";
+
+/// Beginnings of words before a date that is not the day of the test.
+constexpr std::array<std::string_view, 48> otherDays{
+    "calib",    "etalon",  "kalib",    "tarat",     "certif",   "zertif",   "due",      "valid",
+    "echeance", "fallig",  "faellig",  "scaden",    "print",    "druck",    "gedruckt", "imprim",
+    "install",  "version", "built",    "baujahr",   "mise",     "export",   "purchas",  "achat",
+    "achet",    "gekauft", "software", "logiciel",  "firmware", "mainten",  "wartung",  "entretien",
+    "report",   "rapport", "bericht",  "issue",     "created",  "cree",     "erstellt", "revision",
+    "rev",      "deliver", "livr",     "geliefert", "next",     "prochain", "expir",    "serv"};
+
+std::vector<std::string> wordsOf(std::string_view label) {
+    std::string low = folded(label.substr(0, label.find_first_of("([")));
+    if (const std::size_t at = low.find("s/n"); at != std::string::npos)
+        low.replace(at, 3, "sn");
+    constexpr std::string_view apostrophe = "’";
+    for (std::size_t at = low.find(apostrophe); at != std::string::npos; at = low.find(apostrophe))
+        low.replace(at, apostrophe.size(), " ");
+    std::vector<std::string> words(1);
+    for (std::size_t i = 0; i < low.size(); ++i) {
+        const char c = low[i];
+        const bool isDegree = low.compare(i, 2, "°") == 0; // "n° de série"
+        if (isDegree)
+            ++i;
+        const bool isPart = !isDegree && (isDigit(c) || (c >= 'a' && c <= 'z') || (c & '\x80') != 0);
+        if (isPart)
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
+    }
+    if (words.back().empty())
+        words.pop_back();
+    return words;
+}
+
+bool isIn(WordList list, const std::string &word) {
+    return list.find(' ' + word + ' ') != std::string_view::npos;
+}
+
+bool isNumber(const std::string &word) {
+    return std::ranges::all_of(word, isDigit);
+}
+
+bool anyIn(WordList list, const std::vector<std::string> &words) {
+    return std::ranges::any_of(words, [&](const std::string &word) { return isIn(list, word); });
+}
+
+bool isTemperatureWord(const std::string &word) {
+    return isIn(temperatureWords, word) ||
+           (word.ends_with(temperatureCompound) || word.ends_with("temperaturen"));
+}
+
+bool isTemperature(const std::vector<std::string> &words) {
+    if (std::ranges::none_of(words, isTemperatureWord) || anyIn(notMeasured, words))
+        return false;
+    const bool isReference = std::ranges::any_of(words, [](const std::string &word) {
+        return word.starts_with("bezugs") || word.starts_with("referenz") || word.starts_with("soll");
+    });
+    // "Temperature sensor: 2" counts or numbers them; "Temperature sensor 2: 20.5" is a reading.
+    return !isReference && (!anyIn(sensorWords, words) || std::ranges::any_of(words, isNumber));
+}
+
+bool isNamed(const LabelRow &row, const std::vector<std::string> &words) {
+    std::string rest;
+    for (const std::string &word : words) {
+        if (!isIn(row.others, word))
+            rest += (rest.empty() ? "" : " ") + word;
+    }
+    std::string whole;
+    for (const std::string &word : words)
+        whole += (whole.empty() ? "" : " ") + word;
+    const std::string names = ',' + std::string(row.names) + ',';
+    const auto has = [&](const std::string &name) {
+        return !name.empty() && names.find(',' + name + ',') != std::string::npos;
+    };
+    return has(whole) || has(rest);
+}
+
+} // namespace
+
+std::optional<NoteFact> factOf(std::string_view label) {
+    constexpr std::size_t longest = 60; // bytes
+    if (label.size() > longest)
+        return {};
+    const std::vector<std::string> words = wordsOf(label);
+    if (words.empty())
+        return {};
+    if (isTemperature(words))
+        return NoteFact::temperature;
+    const auto row =
+        std::ranges::find_if(labelRows, [&](const LabelRow &each) { return isNamed(each, words); });
+    return row == labelRows.end() ? std::nullopt : std::optional(row->fact);
+}
+
+bool namesMachine(std::string_view label) {
+    return anyIn(machineNames, wordsOf(label));
+}
+
+bool namesInstrument(std::string_view label) {
+    return anyIn(instrumentWords, wordsOf(label)) && !namesMachine(label);
+}
+
+TemperatureLabel temperatureLabel(std::string_view label) {
+    TemperatureLabel result;
+    const std::vector<std::string> words = wordsOf(label);
+    const bool isStart = anyIn(startWords, words);
+    result.isEnd = !isStart && anyIn(endWords, words);
+    const std::string shown(withoutBlanks(label.substr(0, label.find_first_of("(["))));
+    std::string word;
+    const auto take = [&] {
+        const std::vector<std::string> plain = wordsOf(word);
+        const bool isMark = plain.size() == 1 && (isIn(startWords, plain[0]) || isIn(endWords, plain[0]) ||
+                                                  plain[0] == "c" || plain[0] == "degc" || plain[0] == "deg");
+        if (!word.empty() && !isMark)
+            result.position += (result.position.empty() ? "" : " ") + word;
+        word.clear();
+    };
+    for (const char c : shown) {
+        if (c == ' ')
+            take();
+        else
+            word += c;
+    }
+    take();
+    const SensorMeasures measures = measuredBy(label);
+    const bool saysMachine =
+        anyIn(machineWords, words) || std::ranges::any_of(words, [](const std::string &each) {
+            return each.starts_with("material") || each.starts_with("maschinen") ||
+                   each.starts_with("werkstuck") || each.starts_with("werkstoff");
+        });
+    if (measures != SensorMeasures::machine || saysMachine)
+        result.measures = measures;
+    return result;
+}
+
+bool labelsDayOfTest(std::string_view label) {
+    return std::ranges::all_of(
+        wordsOf(label), [](const std::string &word) { return isIn(dayWords, word) || isNumber(word); });
+}
+
+bool namesOtherDay(std::string_view text) {
+    return std::ranges::any_of(wordsOf(text), [](const std::string &word) {
+        return std::ranges::any_of(otherDays, [&](std::string_view each) { return word.starts_with(each); });
+    });
+}
+
+SensorMeasures measuredBy(std::string_view name) {
+    constexpr std::array<std::string_view, 12> air{"air",  "ambi",     "luft",  "aria",    "aire",  "room",
+                                                   "raum", "umgebung", "salle", "atelier", "local", "sala"};
+    constexpr std::array<std::string_view, 6> instrument{"instrument", "ballbar", "scale",
+                                                         "laser",      "etalon",  "strument"};
+    const std::string low = folded(name);
+    const auto names = [&](std::string_view word) { return low.find(word) != std::string::npos; };
+    if (std::ranges::any_of(air, names))
+        return SensorMeasures::air;
+    return std::ranges::any_of(instrument, names) ? SensorMeasures::instrument : SensorMeasures::machine;
+}
+
+} // namespace palmer

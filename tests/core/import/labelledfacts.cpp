@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "core/import/importpicture.h"
+#include "core/import/storedworkbook.h"
+
+#include "kernel/evaluation/edition.h"
+#include "kernel/measurement/testfacts.h"
+
+#include <QTest>
+
+using namespace palmer;
+
+namespace {
+
+const QByteArray table = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+
+/// The facts of a file as one text.
+QString factsOf(const Imported &imported) {
+    const auto number = [](const std::optional<double> &value) {
+        return value ? QString::number(*value) : QString("-");
+    };
+    const Test &test = *imported.test;
+    const auto &conditions = std::get<PositioningMeasurement>(test.measurement).conditions;
+    QString text = QString::fromStdString(imported.machine.name + '|' + imported.machine.serialNumber + '|' +
+                                          imported.operatorName + '|' + test.date.value_or("-") + '|' +
+                                          test.time.value_or("-") + '|' + axisOf(test)->name + '|') +
+                   number(conditions.airPressure) + '|' + number(conditions.airHumidity) + '|' +
+                   number(conditions.feed);
+    for (const Sensor &sensor : imported.sensors)
+        text += '|' + QString::fromStdString(sensor.position) + ' ' +
+                QString::number(static_cast<int>(sensor.measures)) + ' ' + number(sensor.start) + ' ' +
+                number(sensor.end);
+    return text;
+}
+
+QString remarksOf(const Imported &imported) {
+    return testdata::remarks(imported) + testdata::questions(imported);
+}
+
+struct Fact {
+    const char *label;
+    const char *value;
+};
+
+/// All that a file may state, in each language as its forms have it.
+const std::vector<std::vector<Fact>> &sheets() {
+    static const std::vector<std::vector<Fact>> all{{{"Machine", "DMU 50"},
+                                                     {"Serial number", "4711"},
+                                                     {"Operator", "J. Smith"},
+                                                     {"Date", "2026-02-13"},
+                                                     {"Time", "14:30"},
+                                                     {"Axis", "Y"},
+                                                     {"Air pressure", "1013 hPa"},
+                                                     {"Humidity", "45 %"},
+                                                     {"Feed rate", "2000 mm/min"},
+                                                     {"Air temperature", "20.5 °C"}},
+                                                    {{"Machine name", "DMU 50"},
+                                                     {"Machine serial no.", "4711"},
+                                                     {"Measured by", "J. Smith"},
+                                                     {"Date of test", "13.02.2026"},
+                                                     {"Test time", "2:30 pm"},
+                                                     {"Axis under test", "Y"},
+                                                     {"Atmospheric pressure", "1013 mbar"},
+                                                     {"Relative humidity", "45 %"},
+                                                     {"Feed", "2000 mm/min"},
+                                                     {"Air temp. (°C)", "20.5"}},
+                                                    {{"Machine", "DMU 50"},
+                                                     {"N° de série", "4711"},
+                                                     {"Opérateur", "J. Smith"},
+                                                     {"Date d’essai", "13 février 2026"},
+                                                     {"Heure", "14:30"},
+                                                     {"Axe", "Y"},
+                                                     {"Pression atmosphérique", "1013 hPa"},
+                                                     {"Humidité relative", "45 %"},
+                                                     {"Avance", "2000 mm/min"},
+                                                     {"Température de l’air", "20,5 °C"}},
+                                                    {{"Maschine", "DMU 50"},
+                                                     {"Seriennummer", "4711"},
+                                                     {"Prüfer", "J. Smith"},
+                                                     {"Messdatum", "13-Feb-2026"},
+                                                     {"Uhrzeit", "14:30"},
+                                                     {"Achse", "Y"},
+                                                     {"Luftdruck", "1013 hPa"},
+                                                     {"Luftfeuchte", "45 %"},
+                                                     {"Vorschub", "2000 mm/min"},
+                                                     {"Lufttemperatur", "20,5 °C"}}};
+    return all;
+}
+
+QString withoutPositions(QString facts) {
+    const qsizetype at = facts.indexOf('|', facts.lastIndexOf("2000")); // the label of the sensor differs
+    const qsizetype end = facts.indexOf(QString::number(static_cast<int>(SensorMeasures::air)) + " 20.5", at);
+    return facts.left(at) + "|air " + facts.mid(end + 2);
+}
+
+const QString expected = "DMU 50|4711|J. Smith|2026-02-13|14:30|Y|1013|45|2000|air 20.5 -";
+
+} // namespace
+
+/// Statements with labels around a table, in whatever way they are written: each goes where its label says,
+/// and nowhere else.
+class LabelledFactsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void areReadInEveryForm_data() {
+        QTest::addColumn<QByteArray>("text");
+        const std::vector<std::pair<const char *, const char *>> within{
+            {"", ": "}, {"", " : "}, {"", " = "}, {"# ", ": "}, {"% ", " : "}};
+        for (std::size_t language = 0; language < sheets().size(); ++language) {
+            const auto &facts = sheets()[language];
+            const auto add = [&](const QString &name, const QByteArray &lines) {
+                for (const bool isAbove : {true, false}) {
+                    QTest::newRow(
+                        qPrintable(QString("%1 %2 %3").arg(language).arg(name, isAbove ? "above" : "below")))
+                        << (isAbove ? lines + "\n" + table : table + "\n" + lines);
+                }
+            };
+            for (const auto &[before, join] : within) {
+                QByteArray lines;
+                for (const auto &[label, value] : facts)
+                    lines += QByteArray(before) + label + join + value + '\n';
+                add(QString(before) + join, lines);
+            }
+            QByteArray cells;
+            QByteArray marked;
+            QByteArray quoted;
+            for (const auto &[label, value] : facts) {
+                cells += QByteArray(label) + ';' + value + ";;\n";
+                marked += QByteArray(label) + ":;" + value + '\n';
+                quoted += '"' + QByteArray(label) + "\";\"" + value + "\"\n";
+            }
+            add("cells", cells);
+            add("cells with a colon", marked);
+            add("quoted", quoted);
+            for (const char *between : {"   ", "; ", " | ", "\t"}) {
+                QByteArray line;
+                for (std::size_t i = 0; i < facts.size(); ++i)
+                    line += QByteArray(i == 0       ? ""
+                                       : i % 3 == 0 ? "\n"
+                                                    : between) +
+                            facts[i].label + ": " + facts[i].value;
+                add(QString("joined by '%1'").arg(between), line + '\n');
+            }
+            QByteArray labels;
+            QByteArray values;
+            for (const auto &[label, value] : facts) {
+                labels += QByteArray(label) + ';';
+                values += QByteArray(value) + ';';
+            }
+            QTest::newRow(qPrintable(QString("%1 labels across").arg(language)))
+                << labels + '\n' + values + "\n\n" + table;
+        }
+    }
+    void areReadInEveryForm() {
+        QFETCH(QByteArray, text);
+        const Imported imported = showMeasurement(text, "x.csv", {});
+        QVERIFY2(imported.test, qPrintable(QString::fromUtf8(text) + remarksOf(imported)));
+        QCOMPARE(withoutPositions(factsOf(imported)), expected);
+        QVERIFY2(!remarksOf(imported).contains("not used"), qPrintable(remarksOf(imported)));
+        QCOMPARE(readingsOf(*imported.test), std::size_t(6));
+    }
+
+    /// A label with another word names something else: the line is listed, and no field has it.
+    void othersAreLeft_data() {
+        QTest::addColumn<QByteArray>("line");
+        for (const char *line : {"Calibrated by: PTB",
+                                 "Approved by: Boss",
+                                 "Exported by: CARTO 4.2",
+                                 "Année machine : 2019",
+                                 "Heures machine : 12000",
+                                 "Customer machine: 77",
+                                 "Machine type: VF2",
+                                 "Controller S/N: 555",
+                                 "Encoder serial no: 9",
+                                 "Probe holder serial: 55",
+                                 "Serial port: COM3",
+                                 "Date of report: 2026-03-01",
+                                 "Exported: 2026-03-01",
+                                 "Purchased 2019-01-01",
+                                 "Software 2026-01-02",
+                                 "Last maintenance: 2025-12-01",
+                                 "Calibration due: 2027-01-01",
+                                 "Reference temperature: 20",
+                                 "Température de référence : 20 °C",
+                                 "Bezugstemperatur: 20 °C",
+                                 "Temps de pause : 5",
+                                 "Tempo di sosta: 3",
+                                 "Temperature sensor: 2",
+                                 "Temperature correction: 0",
+                                 "Temperature gradient: 0.2",
+                                 "Temperature limit: 20",
+                                 "Temp coefficient: 11.7",
+                                 "Template: 12",
+                                 "Attempt: 3",
+                                 "Temporary mark: 20",
+                                 "Spindle pressure: 60 bar",
+                                 "Other axes: Y 100",
+                                 "replaces ISO 230-2:1997, evaluated per ISO 230-2:2006"})
+            QTest::newRow(line) << QByteArray(line);
+    }
+    void othersAreLeft() {
+        QFETCH(QByteArray, line);
+        for (const QByteArray &text :
+             {line + '\n' + table, "# " + line + '\n' + table, table + '\n' + line + '\n'}) {
+            const Imported imported = showMeasurement(text, "x.csv", {});
+            QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
+            QCOMPARE(factsOf(imported), QString("|||-|-||-|-|-"));
+            QCOMPARE(imported.test->edition, std::string(defaultEdition(Kind::positioning).word));
+            QVERIFY2(remarksOf(imported).contains("not used"), qPrintable(remarksOf(imported)));
+        }
+    }
+
+    /// Whole values: what commas, quotes and brackets hold; a placeholder is none; the second value is
+    /// listed.
+    void valuesAreWhole() {
+        const auto read = [](const QByteArray &lines, QByteArray below = table) {
+            return showMeasurement(lines + '\n' + below, "x.csv", {});
+        };
+        const QByteArray commas = QByteArray(table).replace(';', ',');
+        QCOMPARE(read("Machine: Mori NH4000, spindle 2").machine.name, "Mori NH4000, spindle 2");
+        QCOMPARE(read("Machine: Mori NH4000, spindle 2", commas).machine.name, "Mori NH4000, spindle 2");
+        QCOMPARE(read("\"Operator\",\"Dupont, Jean\"", commas).operatorName, "Dupont, Jean");
+        QCOMPARE(read("\"Machine\",\"DMU \"\"50\"\", evo\"", commas).machine.name, "DMU \"50\", evo");
+        QCOMPARE(read("Machine;DMU 50|evo").machine.name, "DMU 50|evo");
+        QCOMPARE(read("Machine: DMU 50;Serial: 123").machine.name, "DMU 50");
+        QCOMPARE(read("Machine: DMU 50;Serial: 123").machine.serialNumber, "123");
+        for (const char *none : {"n/a", "-", "---", "–", "unknown"}) {
+            QCOMPARE(read(QByteArray("Machine: ") + none).machine.name, "");
+            QCOMPARE(read(QByteArray("Operator;") + none).operatorName, "");
+        }
+        const Imported two = read("Machine: A\nMachine: B");
+        QCOMPARE(two.machine.name, "A");
+        QVERIFY(remarksOf(two).contains("Machine: B"));
+        const Imported both = read("Temperature start: 20.1; Temperature end: 20.9");
+        QCOMPARE(both.sensors.size(), std::size_t(1));
+        QCOMPARE(both.sensors[0].start, 20.1);
+        QCOMPARE(both.sensors[0].end, 20.9);
+        QVERIFY(remarksOf(read("Air temperature;20,1;20,3")).contains("20,3"));
+        QCOMPARE(read("Date of report: 2026-03-01\nDate of test: 2026-02-13").test->date, "2026-02-13");
+        QCOMPARE(factsOf(read("Rotary axis: A\nAxis: X")).section('|', 5, 5), "X");
+    }
+
+    /// What a file says above the table of one axis is not said of the other.
+    void belongToTheirBlock() {
+        const QByteArray one = "Operator: A\nDate: 2026-02-13\nTemperature: 20.1\nAxis: X\n" + table;
+        const QByteArray other = "\nOperator: B\nDate: 2026-02-14\nTemperature: 25\nAxis: Y\n" + table;
+        const auto read = [&](const char *axis) {
+            return factsOf(showMeasurement("Machine: M\n" + one + other, "x.csv", {{"axis", axis}}));
+        };
+        QCOMPARE(read("X"), "M||A|2026-02-13|-|X|-|-|-|Temperature 3 20.1 -");
+        QCOMPARE(read("Y"), "M||B|2026-02-14|-|Y|-|-|-|Temperature 3 25 -");
+    }
+
+    void daysAreRead_data() {
+        QTest::addColumn<QByteArray>("value");
+        QTest::addColumn<QString>("date");
+        QTest::addColumn<QString>("time");
+        for (const char *day : {"2026-02-13", "2026/02/13", "13.02.2026", "13/02/2026", "13 Feb 2026",
+                                "13-Feb-2026", "Feb 13, 2026", "February 13 2026", "13th February 2026",
+                                "13. Februar 2026", "13 de febrero de 2026", "13 févr. 2026"}) {
+            QTest::newRow(day) << QByteArray(day) << "2026-02-13"
+                               << "";
+            QTest::newRow(qPrintable(QString(day) + " 09:05")) << QByteArray(day) + " 09:05"
+                                                               << "2026-02-13"
+                                                               << "09:05";
+            QTest::newRow(qPrintable(QString(day) + " 9:05:30 PM")) << QByteArray(day) + " 9:05:30 PM"
+                                                                    << "2026-02-13"
+                                                                    << "21:05";
+        }
+        for (const char *day : {"2026-02-30", "32/13/2026", "03/04/2026", "3/4/26"})
+            QTest::newRow(day) << QByteArray(day) << ""
+                               << "";
+    }
+    void daysAreRead() {
+        QFETCH(QByteArray, value);
+        QFETCH(QString, date);
+        QFETCH(QString, time);
+        const Imported imported = showMeasurement("Date: " + value + '\n' + table, "x.csv", {});
+        QCOMPARE(QString::fromStdString(imported.test->date.value_or("")), date);
+        QCOMPARE(QString::fromStdString(imported.test->time.value_or("")), time);
+        if (!date.isEmpty())
+            return;
+        QCOMPARE(imported.test->remarks, value.toStdString());
+        const bool isEither = value.startsWith("03") || value.startsWith("3/");
+        QVERIFY(remarksOf(imported).contains(isEither ? "in several ways" : "not one that"));
+    }
+
+    /// A workbook's sheet without a table states the same.
+    void coversAreRead() {
+        for (const auto &facts : sheets()) {
+            std::vector<QStringList> rows;
+            for (const auto &[label, value] : facts)
+                rows.push_back({label, value});
+            rows.push_back({});
+            rows.push_back({"Target (mm)", "Fwd (µm)", "Rev (µm)"});
+            rows.push_back({"0", "1", "2"});
+            rows.push_back({"100", "3", "4"});
+            rows.push_back({"200", "5", "6"});
+            const Imported imported = showMeasurement(testdata::storedWorkbook(rows), "x.xlsx", {});
+            QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
+            QCOMPARE(withoutPositions(factsOf(imported)), expected);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(LabelledFactsTest)
+
+#include "labelledfacts.moc"
