@@ -3,6 +3,7 @@
 #include "kernel/simulation/runtrials.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace palmer {
@@ -21,24 +22,25 @@ CoverageInterval shortestInterval(const FineCounts &fine, std::span<const long l
     for (const long long count : counts)
         all += count;
     const double needed = coverageProbability * static_cast<double>(all);
+    const auto fewest = static_cast<long long>(std::ceil(needed)); // whole numbers are added faster
     CoverageInterval best;
     double shortest = std::numeric_limits<double>::infinity();
-    double held = 0;       // sum over the intervals from `left` to before `right`
+    long long held = 0;    // sum over the intervals from `left` to before `right`
     std::size_t right = 0; // first interval not included
     for (std::size_t left = 0; left < counts.size(); ++left) {
-        while (right < counts.size() && held + static_cast<double>(counts[right]) < needed)
-            held += static_cast<double>(counts[right++]);
+        while (right < counts.size() && held + counts[right] < fewest)
+            held += counts[right++];
         if (right == counts.size())
             break; // too few values remain
         const auto next = static_cast<double>(counts[right]);
-        const double part = next > 0 ? (needed - held) / next : 0;
+        const double part = next > 0 ? (needed - static_cast<double>(held)) / next : 0;
         const double length = static_cast<double>(right - left) + part;
         if (length < shortest) {
             shortest = length;
             best = {fine.from + fine.width * static_cast<double>(left),
                     fine.from + fine.width * (static_cast<double>(right) + part)};
         }
-        held -= static_cast<double>(counts[left]);
+        held -= counts[left];
     }
     return best;
 }

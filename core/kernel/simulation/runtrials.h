@@ -117,7 +117,7 @@ public:
         threads = std::clamp(threads, 1, mostThreads);
         for (int k = 0; k < threads; ++k)
             m_workers.push_back({model.buffers(), std::vector<double>(m_parameters * size_t(m_chunk)),
-                                 std::vector<long long>(m_parameters * FineCounts::count)});
+                                 std::vector<std::uint32_t>(m_parameters * FineCounts::count)});
     }
 
     std::optional<Simulation> run() {
@@ -160,8 +160,8 @@ public:
 private:
     struct Worker {
         typename Model::Buffers buffers;
-        std::vector<double> values;    ///< of one chunk
-        std::vector<long long> counts; ///< of one stage
+        std::vector<double> values;        ///< of one chunk
+        std::vector<std::uint32_t> counts; ///< of one stage
     };
 
     template <class Counts>
@@ -281,9 +281,10 @@ private:
         return static_cast<std::size_t>((chunks + together - 1) / together);
     }
 
-    static void count(const FineCounts &fine, std::span<const double> values, std::span<long long> into) {
+    template <class Count>
+    static void count(const FineCounts &fine, std::span<const double> values, std::span<Count> into) {
         if (fine.width == 0) {
-            into[0] += static_cast<long long>(values.size());
+            into[0] += static_cast<Count>(values.size());
             return;
         }
         const double perWidth = 1 / fine.width;
