@@ -5464,6 +5464,14 @@
         <translation>Des indications sont aussi tirées des feuilles sans tableau&#xa0;: %1.</translation>
     </message>
     <message>
+        <source>--zone reaches beyond the axis, which goes from %1 to %2</source>
+        <translation>--zone dépasse l’axe, qui va de %1 à %2</translation>
+    </message>
+    <message>
+        <source>the files do not state the model of the machines; choose the type with --type</source>
+        <translation>les fichiers n’indiquent pas le modèle des machines&#x202f;; choisir le type avec --type</translation>
+    </message>
+    <message>
         <source>The date %1 is not one that is known; it stays as text in the remarks.</source>
         <translation>La date %1 n’est pas une date connue&#x202f;; elle reste sous forme de texte dans les remarques.</translation>
     </message>

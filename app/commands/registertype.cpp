@@ -87,11 +87,15 @@ QString typeAsked(const Invocation &invocation, const std::vector<ListedMachine>
     std::set<QString> types;
     for (const ListedMachine &machine : all)
         types.insert(asCompared(machine.manufacturer + u' ' + machine.model));
-    if (types.size() != 1 || all.front().model.isEmpty())
+    if (types.size() != 1)
         throw UsageError(
             {REPORT_TEXT("report", "the machines of the files are not all of one type; choose it "
                                    "with --type"),
              {}});
+    if (all.front().model.isEmpty())
+        throw UsageError({REPORT_TEXT("report", "the files do not state the model of the machines; choose the "
+                                                "type with --type"),
+                          {}});
     return all.front().manufacturer + u' ' + all.front().model;
 }
 

@@ -152,6 +152,19 @@ TargetRequest request(const Invocation &invocation, const Begun &begun, double a
     return result;
 }
 
+/// The zone lies on the axis: within the measurement travel and the approach distance before and behind it.
+std::optional<Interval> zoneAsked(const Invocation &invocation, const TargetRequest &request, double approach) {
+    const auto zone = interval(invocation, "zone");
+    constexpr double rounding = 1e-9;
+    const Interval axis{request.from - approach, request.from + request.travel + approach};
+    if (zone && (zone->from < axis.from - rounding || zone->to > axis.to + rounding)) {
+        const Quantity position = request.motion == Motion::rotary ? Quantity::angle : Quantity::position;
+        throw UsageError({REPORT_TEXT("report", "--zone reaches beyond the axis, which goes from %1 to %2"),
+                          {Number{axis.from, position}, Number{axis.to, position}}});
+    }
+    return zone;
+}
+
 QByteArray planned(std::span<const PlannedMeasurement> plans, const CycleProgram &program,
                    const Invocation &invocation, const Edition &edition, const QString &ending) {
     if (ending == QLatin1StringView("palmer")) {
@@ -224,7 +237,8 @@ int writeTargets(const Invocation &invocation) {
     const double approach = givenApproach
                                 ? numberBetween("approach", *givenApproach, smallestMotion, mostApproach)
                                 : base.program.approach;
-    const auto plans = planMeasurements(request(invocation, base, approach), interval(invocation, "zone"));
+    const TargetRequest asked = request(invocation, base, approach);
+    const auto plans = planMeasurements(asked, zoneAsked(invocation, asked, approach));
     const bool isEmpty = plans.empty() || plans.back().plan.targets.empty();
     if (isEmpty)
         throw UsageError(

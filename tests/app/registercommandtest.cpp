@@ -681,6 +681,11 @@ void RegisterCommandTest::theTypeOnPaper() {
     QCOMPARE(reg(words + QStringList{"-o", svg}).code, 0);
     QVERIFY(contents(svg).startsWith("<?xml"));
     QCOMPARE(reg({"type", "--type", "Maker A CU 1000", "--parameter", "A", "-o", svg}).code, 2); // three axes
+    const QString examples = QStringLiteral(PALMER_SOURCE_DIR "/resources/examples/");
+    const CliResult unnamed = runCli({"register", "type", examples + "teaching-01-centre.palmer",
+                                      examples + "teaching-02-radius.palmer", "--parameter", "G"});
+    QCOMPARE(unnamed.code, 2);
+    QVERIFY2(unnamed.err.contains("do not state the model"), unnamed.err);
 }
 
 void RegisterCommandTest::whatChangedSinceTheLastTest() {

@@ -123,6 +123,9 @@ private slots:
             << QStringList{EXAMPLES "iso230-4-full-circles-xy.palmer", "-o", "-"};
         QTest::newRow("a test there is not")
             << QStringList{EXAMPLES "one-direction.palmer", "--test", "3", "-o", "-"};
+        for (const char *zone : {"2000:4000", "-100:1900", "1999:3001"})
+            QTest::newRow(qPrintable(QString("a zone beyond the axis ") + zone))
+                << QStringList{"--travel", "3000", QString("--zone=") + zone, "-o", "-"};
         QTest::newRow("a zone of a short axis") << QStringList{"--travel", "9", "--zone", "1:2", "-o", "-"};
     }
     void refusesWhatMakesNoPlan() {
