@@ -278,7 +278,8 @@ ThermalResponse thermalResponse(const ThermalRecord &given, int ofTemperatures) 
     }
     const Scan scan(fit, record.step, record.step * static_cast<double>(rows - 1));
     const ResponseFit::At &best = scan.best();
-    if (best.left <= 0) { // a constant temperature
+    const auto [least, most] = std::ranges::minmax_element(record.deviations);
+    if (best.left <= 0 || *least == *most) { // a constant temperature, or nothing that follows it
         result.state = ResponseState::notProven;
         return result;
     }

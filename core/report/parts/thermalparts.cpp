@@ -478,6 +478,8 @@ std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t
         const Test &taking = *evaluated.document->tests[users.front()];
         if (taking.duration) // otherwise the window is the whole record
             worst = driftVariation(*evaluated.document, evaluated.document->tests[test]->id, taking);
+        if (worst && worst->value <= 0)
+            worst.reset(); // a reading that does not move varies nowhere most
         const DriftCases cases = driftCases(evaluated, users.front());
         if (!cases.cases.empty())
             blocks.emplace_back(

@@ -173,6 +173,9 @@ private slots:
         SimulatedRecord constant = good;
         std::ranges::fill(constant.temperatures, 20.0);
         QCOMPARE(int(of(constant).state), int(ResponseState::notProven));
+        SimulatedRecord still = good; // enough values, none of which moves
+        std::ranges::fill(still.deviations, 0.3);
+        QCOMPARE(int(of(still).state), int(ResponseState::notProven));
         SimulatedRecord straight = good; // a temperature that rises evenly
         for (std::size_t i = 0; i < straight.times.size(); ++i) {
             straight.temperatures[i] = 1e-4 * straight.times[i];
