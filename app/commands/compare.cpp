@@ -122,7 +122,7 @@ int runCompare(const Invocation &invocation) {
         options.role = ComparisonRole::laboratories;
     options.setUpUntouched = options.setUpUntouched || invocation.has("set-up-untouched");
     if (const auto given = invocation.value("tolerance"))
-        options.tolerance = numberBetween("tolerance", *given, 0, 1e6) /
+        options.tolerance = numberAbove("tolerance", *given, 0) /
                             unitScale(deviationQuantity(after.test()), DisplayUnits());
     const TestComparison comparison = compare(before, after, options);
     if (invocation.has("json"))

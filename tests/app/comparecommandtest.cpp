@@ -85,6 +85,9 @@ void CompareCommandTest::aFileStatesWhatItCompares() {
     const QByteArray terminal = runCli({"evaluate", both, "--language", "en"}).out;
     for (const char *words : {"Comparison of two tests", "CHANGED, BETTER", "Parts of U (µm), each alone"})
         QVERIFY2(terminal.contains(words), words);
+    // A terminal shows no figure, nor the numbers of its axes.
+    for (const QByteArray &shown : {terminal, runCli({"compare", both, "--language", "en"}).out})
+        QVERIFY(!shown.contains("Difference of the mean deviations") && !shown.contains("before (µm)"));
 }
 
 void CompareCommandTest::theWordsAreExplained() {
@@ -234,6 +237,7 @@ void CompareCommandTest::refusesWhatCannotBeMeant() {
     QCOMPARE(runCli({"compare", both, both, "--test", "1,3"}).code, 2);
     QCOMPARE(runCli({"compare", both, both, "--test", "x"}).code, 2);
     QCOMPARE(runCli({"compare", both, both, "--test", "1,2", "--tolerance", "-1"}).code, 2);
+    QCOMPARE(runCli({"compare", both, both, "--test", "1,2", "--tolerance", "0"}).code, 2);
     QCOMPARE(runCli({"compare", both, "/nowhere.palmer"}).code, 3);
     QCOMPARE(runCli({"compare", both, EXAMPLES "rotary-axis.palmer"}).code, 2); // no X axis
 }

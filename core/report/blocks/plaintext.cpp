@@ -303,6 +303,29 @@ bool separated(const Block *before, const Block &block) {
     return !heading || heading->level == 1 || std::holds_alternative<Heading>(block);
 }
 
+/// The number of blocks from `at` on that only a page can show: a figure, with the heading and the note that
+/// have nothing else below them.
+std::size_t blocksOfFigure(const std::vector<Block> &blocks, std::size_t at) {
+    const auto is = [&]<class Wanted>(std::size_t i, const Wanted *) {
+        return i < blocks.size() && std::holds_alternative<Wanted>(blocks[i]);
+    };
+    constexpr const FigureBlock *figure = nullptr;
+    constexpr const Heading *heading = nullptr;
+    constexpr const Paragraph *note = nullptr;
+    if (is(at, figure))
+        return 1;
+    if (!is(at, heading))
+        return 0;
+    std::size_t end = at + 1;
+    if (is(end, note) && std::get<Paragraph>(blocks[end]).size == TextSize::small)
+        ++end;
+    if (!is(end, figure))
+        return 0;
+    while (is(end, figure))
+        ++end;
+    return end == blocks.size() || is(end, heading) ? end - at : 0;
+}
+
 } // namespace
 
 int displayWidth(QStringView text) {
@@ -339,7 +362,12 @@ QStringList wrapped(const QString &text, int width) {
 QString plainText(const Report &report, int width) {
     Printer printer(width);
     const Block *before = nullptr;
-    for (const Block &block : report.blocks) {
+    for (std::size_t i = 0; i < report.blocks.size(); ++i) {
+        if (const std::size_t skipped = blocksOfFigure(report.blocks, i); skipped > 0) {
+            i += skipped - 1;
+            continue;
+        }
+        const Block &block = report.blocks[i];
         if (separated(before, block))
             printer.newBlock();
         std::visit(printer, block);
