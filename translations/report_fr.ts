@@ -5472,6 +5472,14 @@
         <translation>les fichiers n’indiquent pas le modèle des machines&#x202f;; choisir le type avec --type</translation>
     </message>
     <message>
+        <source>The head says one direction, the rows run both ways; the rows are followed.</source>
+        <translation>L’en-tête indique un seul sens, les lignes vont dans les deux&#x202f;; ce sont les lignes qui comptent.</translation>
+    </message>
+    <message>
+        <source>Plane: the file names %1 and the axes %2; %2 is taken.</source>
+        <translation>Plan&#xa0;: le fichier indique %1 et les axes %2&#x202f;; %2 est retenu.</translation>
+    </message>
+    <message>
         <source>The date %1 is not one that is known; it stays as text in the remarks.</source>
         <translation>La date %1 n’est pas une date connue&#x202f;; elle reste sous forme de texte dans les remarques.</translation>
     </message>

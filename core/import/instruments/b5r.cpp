@@ -289,6 +289,7 @@ private:
         if (!(measurement.nominalRadius > 0))
             refuseContent(REPORT_TEXT("report", "the nominal radius is not positive"));
         Test test;
+        askForPlane();
         resolveCircle(measurement, test.edition, planeWord(), m_feed, m_choices, m.remarks);
         resolveReadings(measurement);
         composeArcs(measurement);
@@ -325,13 +326,29 @@ private:
         m.test = std::move(test);
     }
 
+    [[nodiscard]] std::string planeOfAxes() const {
+        return m_axisA.size() == 1 && m_axisB.size() == 1 ? upperCase(m_axisA + m_axisB) : std::string();
+    }
+
+    [[nodiscard]] std::string planeOfTest() const {
+        const std::string plane = m_plane.toUpper().toStdString();
+        return plane.size() == 2 && plane.find_first_not_of("XYZ") == std::string::npos ? plane
+                                                                                        : std::string();
+    }
+
     [[nodiscard]] std::string planeWord() const {
-        if (m_axisA.size() == 1 && m_axisB.size() == 1)
-            return m_axisA + m_axisB;
-        std::string plane = m_plane.toUpper().toStdString();
-        if (plane.size() == 2 && plane.find_first_not_of("XYZ") == std::string::npos)
-            return plane;
-        return {};
+        return planeOfAxes().empty() ? planeOfTest() : planeOfAxes();
+    }
+
+    void askForPlane() {
+        const std::string axes = planeOfAxes();
+        const std::string test = planeOfTest();
+        if (axes.empty() || test.empty() || std::ranges::is_permutation(axes, test))
+            return;
+        m.remarks
+            .problem("plane", REPORT_TEXT("report", "Plane: the file names %1 and the axes %2; %2 is taken."),
+                     test, axes)
+            .answers = {axes, test};
     }
 
     /// The unit of the readings: their DT; without it guessed from their size, with a remark.

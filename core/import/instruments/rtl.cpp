@@ -183,6 +183,10 @@ private:
         const bool byOrder = ordered && (areMixed || (m_oneDirection && descend));
         std::string found = "stated";
         Origin origin = descend ? Origin::guessed : Origin::recognised;
+        if (byOrder && m_oneDirection && areMixed)
+            m.remarks.note({},
+                           REPORT_TEXT("report", "The head says one direction, the rows run both ways; the "
+                                                 "rows are followed."));
         if (!byOrder) {
             found = m_oneDirection ? "positive" : "alternating";
             origin = m_oneDirection ? Origin::recognised : Origin::guessed;
@@ -355,10 +359,13 @@ private:
         UnusedLines unused;
         for (const std::string_view name : {"USER-TEXT", "EQUIPMENT", "ENVIRONMENT"}) {
             const Section *section = findSection(m_sections, name);
+            std::set<std::string> seen; // the first value of each is the one read
             for (const SectionLine &line : section ? section->lines : std::vector<SectionLine>()) {
-                const bool isUsed = used.find('|' + lowerCase(line.key) + '|') != std::string_view::npos &&
-                                    std::string_view(name) != "EQUIPMENT" &&
-                                    !m_refused.contains(lowerCase(line.key));
+                const bool isAgain =
+                    !seen.insert(lowerCase(line.key)).second && section->value(line.key) != line.value;
+                const bool isUsed =
+                    !isAgain && used.find('|' + lowerCase(line.key) + '|') != std::string_view::npos &&
+                    std::string_view(name) != "EQUIPMENT" && !m_refused.contains(lowerCase(line.key));
                 if (!line.value.empty() && !isUsed)
                     unused.add(line.line, std::string(line.key) + ": " + std::string(line.value));
             }

@@ -8,6 +8,7 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/testfacts.h"
 
+#include <QFile>
 #include <QTest>
 
 using namespace palmer;
@@ -286,6 +287,26 @@ private slots:
         QCOMPARE(imported.test->remarks, value.toStdString());
         const bool isEither = value.startsWith("03") || value.startsWith("3/");
         QVERIFY(remarksOf(imported).contains(isEither ? "in several ways" : "not one that"));
+    }
+
+    /// Two statements of an instrument's file that do not agree: the second is listed, or asked for.
+    void contradictionsOfInstrumentsAreSaid() {
+        const auto changed = [](const char *name, const QByteArray &from, const QByteArray &to) {
+            QFile file(DATA + QString(name));
+            const bool isOpen = file.open(QIODevice::ReadOnly);
+            QByteArray bytes = file.readAll();
+            return isOpen && bytes.contains(from) ? bytes.replace(from, to) : QByteArray();
+        };
+        const QByteArray machines =
+            changed("rtl/typical.rtl", "USER-TEXT::", "USER-TEXT::\r\nMachine : Mill 0\r\n");
+        const Imported two = showMeasurement(machines, "x.rtl", {});
+        QCOMPARE(two.machine.name, "Mill 0");
+        QVERIFY2(remarksOf(two).contains("Machine: "), qPrintable(remarksOf(two)));
+        const QByteArray flags = changed("rtl/typical.rtl", "Flags: 0 0", "Flags: 0 1");
+        QVERIFY(remarksOf(showMeasurement(flags, "x.rtl", {})).contains("rows are followed"));
+        const QByteArray plane =
+            changed("b5r/typical-absolute.b5r", "TEST_PLANE=\"XY\"", "TEST_PLANE=\"YZ\"");
+        QVERIFY(remarksOf(showMeasurement(plane, "x.b5r", {})).contains("names YZ and the axes XY"));
     }
 
     /// A workbook's sheet without a table states the same.
