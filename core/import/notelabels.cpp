@@ -49,7 +49,8 @@ constexpr std::array labelRows{
              " test measurement mesure essai the of de "},
     LabelRow{
         NoteFact::date,
-        "date,datum,data,fecha,day,tag,jour,messdatum,messtag,prufdatum,pruefdatum,prufung vom,messung vom,"
+        "date,datum,data,fecha,day,tag,jour,giorno,dia,messdatum,messtag,prufdatum,pruefdatum,prufung "
+        "vom,messung vom,"
         "measured,tested,gemessen,gepruft,geprueft,mesure,misurato,medido,started,start,begin,debut",
         " test on am vom le du de del della d l of the essai mesure measurement der prufung messung prova "
         "misura "
@@ -190,7 +191,7 @@ bool isNamed(const LabelRow &row, const std::vector<std::string> &words) {
 } // namespace
 
 std::optional<NoteFact> factOf(std::string_view label) {
-    constexpr std::size_t longest = 60; // bytes
+    constexpr std::size_t longest = 80; // bytes
     if (label.size() > longest)
         return {};
     const std::vector<std::string> words = wordsOf(label);
@@ -198,6 +199,11 @@ std::optional<NoteFact> factOf(std::string_view label) {
         return {};
     if (isTemperature(words))
         return NoteFact::temperature;
+    const std::size_t slash = label.substr(0, label.find_first_of("([")).find('/');
+    if (slash != std::string_view::npos && folded(label).find("s/n") == std::string::npos) {
+        const auto first = factOf(label.substr(0, slash)); // "Prüfer / Opérateur"
+        return first == factOf(label.substr(slash + 1)) ? first : std::nullopt;
+    }
     const auto row =
         std::ranges::find_if(labelRows, [&](const LabelRow &each) { return isNamed(each, words); });
     return row == labelRows.end() ? std::nullopt : std::optional(row->fact);
@@ -216,7 +222,10 @@ TemperatureLabel temperatureLabel(std::string_view label) {
     const std::vector<std::string> words = wordsOf(label);
     const bool isStart = anyIn(startWords, words);
     result.isEnd = !isStart && anyIn(endWords, words);
-    const std::string shown(withoutBlanks(label.substr(0, label.find_first_of("(["))));
+    const std::size_t bracket = label.find_first_of("([");
+    const bool isUnit = bracket != std::string_view::npos &&
+                        folded(label.substr(bracket)).find_first_not_of("([ °degc])") == std::string::npos;
+    const std::string shown(withoutBlanks(isUnit ? label.substr(0, bracket) : label));
     std::string word;
     const auto take = [&] {
         const std::vector<std::string> plain = wordsOf(word);

@@ -86,7 +86,17 @@ const std::vector<std::vector<Fact>> &sheets() {
                                                      {"Luftdruck", "1013 hPa"},
                                                      {"Luftfeuchte", "45 %"},
                                                      {"Vorschub", "2000 mm/min"},
-                                                     {"Lufttemperatur", "20,5 °C"}}};
+                                                     {"Lufttemperatur", "20,5 °C"}},
+                                                    {{"Maschine / Machine", "DMU 50"},
+                                                     {"Seriennummer / Serial no.", "4711"},
+                                                     {"Prüfer/Opérateur", "J. Smith"},
+                                                     {"Date / Datum", "2026-02-13 14:30"},
+                                                     {"Heure / Uhrzeit", "14:30"},
+                                                     {"Achse/Axis", "Y"},
+                                                     {"Luftdruck / Air pressure", "1013 hPa"},
+                                                     {"Luftfeuchte / Humidity", "45 %"},
+                                                     {"Vorschub / Feed [mm/min]", "2000"},
+                                                     {"Temperatur / Temperature (Luft / air)", "20.5"}}};
     return all;
 }
 
