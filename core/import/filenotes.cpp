@@ -268,22 +268,40 @@ private:
     std::string m_more; ///< values behind the one taken last
 };
 
+/// The words of an edition as people write them: "ISO 230-2 (2014)", "VDI 3441".
+QRegularExpression patternOf(const Edition &edition) {
+    const QString word = QString::fromUtf8(edition.word);
+    constexpr qsizetype yearSize = 4;
+    QString name = QRegularExpression::escape(word.chopped(yearSize + 1));
+    name.replace(QStringLiteral("\\ "), QStringLiteral("\\s*"))
+        .replace(QStringLiteral("\\/DGQ"), QStringLiteral("\\s*/?\\s*(?:DGQ)?"));
+    // VDI/DGQ 3441 has appeared once.
+    const QString year = QStringLiteral("\\s*[:(–-]?\\s*") + word.right(yearSize);
+    return QRegularExpression(QStringLiteral("\\b") + name +
+                                  (name.startsWith(QLatin1StringView("VDI"))
+                                       ? QStringLiteral("(?:%1)?\\b").arg(year)
+                                       : year + QStringLiteral("\\b")),
+                              QRegularExpression::CaseInsensitiveOption);
+}
+
 void takeEdition(const QString &line, FileNotes &notes, bool &understood) {
-    static const QRegularExpression standard(
-        QStringLiteral(
-            R"(\b(ISO)\s*(230-[24])\s*[:(–-]?\s*(1988|1996|1997|2005|2006|2014|2022)\b|\b(VDI)\s*/?\s*(?:DGQ)?\s*3441\b)"),
-        QRegularExpression::CaseInsensitiveOption);
-    std::set<const Edition *> editions;
-    for (auto all = standard.globalMatch(line); all.hasNext();) {
-        const auto found = all.next();
-        editions.insert(findEdition(found.captured(4).isEmpty() ? "ISO " + found.captured(2).toStdString() +
-                                                                      ':' + found.captured(3).toStdString()
-                                                                : std::string("VDI/DGQ 3441:1977")));
+    static const std::vector<QRegularExpression> patterns = [] {
+        std::vector<QRegularExpression> all;
+        for (const Edition *edition : editions())
+            all.push_back(patternOf(*edition));
+        return all;
+    }();
+    const Edition *named = nullptr;
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+        if (!patterns[i].match(line).hasMatch())
+            continue;
+        if (named || notes.edition)
+            return; // "replaces …, evaluated after …": nothing says which
+        named = editions()[i];
     }
-    // "Replaces …, evaluated after …" does not say which in a word that is known.
-    if (editions.size() != 1 || !*editions.begin() || notes.edition)
+    if (!named)
         return;
-    notes.edition = *editions.begin();
+    notes.edition = named;
     understood = true;
 }
 

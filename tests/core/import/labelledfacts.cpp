@@ -319,6 +319,23 @@ private slots:
         QVERIFY(remarksOf(showMeasurement(plane, "x.b5r", {})).contains("names YZ and the axes XY"));
     }
 
+    /// Every edition for this kind of test, however its year is parted from it.
+    void editionsAreRead() {
+        int read = 0;
+        for (const Edition *edition : editions()) {
+            if (edition->kind != Kind::positioning)
+                continue;
+            const QString word = QString::fromUtf8(edition->word);
+            for (const QString &line : {word, "Standard: " + word,
+                                        word.chopped(5) + " (" + word.right(4) + ")", "Test after " + word}) {
+                const Imported imported = showMeasurement(line.toUtf8() + '\n' + table, "x.csv", {});
+                QCOMPARE(imported.test->edition, edition->word);
+                ++read;
+            }
+        }
+        QVERIFY(read >= 24);
+    }
+
     /// A workbook's sheet without a table states the same.
     void coversAreRead() {
         for (const auto &facts : sheets()) {
