@@ -10856,5 +10856,21 @@
         <source>%1 was warm after %2: less than a tenth of the range of y was left.</source>
         <translation>%1 était en température après %2&#xa0;: il restait moins d’un dixième de l’étendue de y.</translation>
     </message>
+    <message>
+        <source>expected a percentage from 0 to 100</source>
+        <translation>attendu&#xa0;: un pourcentage de 0 à 100</translation>
+    </message>
+    <message>
+        <source>Impossible value for “%1”: %2.</source>
+        <translation>Valeur impossible pour «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Impossible value: the times of the drift test fall from %1 to %2.</source>
+        <translation>Valeur impossible&#xa0;: les temps de l’essai de dérive reculent de %1 à %2.</translation>
+    </message>
+    <message>
+        <source>Impossible value: the times of the temperatures of sensor %3 fall from %1 to %2.</source>
+        <translation>Valeur impossible&#xa0;: les temps des températures du capteur %3 reculent de %1 à %2.</translation>
+    </message>
 </context>
 </TS>

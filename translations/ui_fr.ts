@@ -1946,6 +1946,10 @@
         <source>Temperature · %1</source>
         <translation>Température · %1</translation>
     </message>
+    <message>
+        <source>not between 0 and 100</source>
+        <translation>pas entre 0 et 100</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::HelpWindow</name>

@@ -44,6 +44,21 @@ constexpr std::array<Bounds, 3> allBounds{{
      REPORT_TEXT("report", "expected a coefficient of expansion between −%1 and %1 µm/(m·°C)")},
 }};
 
+/// Values that a statement can have.
+struct Possible {
+    unsigned demand = nothing;
+    bool (*holds)(double) = nullptr;
+    Text expected;
+};
+constexpr std::array allPossible{
+    Possible{positive, [](double value) { return value > 0; },
+             REPORT_TEXT("report", "expected a number greater than 0")},
+    Possible{notNegative, [](double value) { return value >= 0; },
+             REPORT_TEXT("report", "expected a number that is not negative")},
+    Possible{percentage, [](double value) { return value >= 0 && value <= 100; },
+             REPORT_TEXT("report", "expected a percentage from 0 to 100")},
+};
+
 /// Returns the violated bounds, or null if the value is within all of them.
 const Bounds *brokenBounds(double value, unsigned demands) {
     const auto broken = std::ranges::find_if(allBounds, [&](const Bounds &bounds) {
@@ -131,6 +146,13 @@ std::optional<Message> beyondBounds(double value, unsigned demands) {
                                            Number{broken->least, Quantity::temperature}},
                                           {}})
                   : std::nullopt;
+}
+
+std::optional<Text> expectedInstead(double value, unsigned demands) {
+    const auto broken = std::ranges::find_if(allPossible, [&](const Possible &possible) {
+        return (demands & possible.demand) != 0 && !possible.holds(value);
+    });
+    return broken == allPossible.end() ? std::nullopt : std::optional(broken->expected);
 }
 
 void requireBounds(const Document &document) {

@@ -25,6 +25,10 @@ inline constexpr double mostOfExpansion = 100;      ///< magnitude of a coeffici
 /// Returns why a number exceeds the bounds of these Demand bits; null if it does not.
 [[nodiscard]] std::optional<Message> beyondBounds(double value, unsigned demands);
 
+/// Returns what is expected instead of a value that its statement cannot have by the bits `positive`,
+/// `notNegative` and `percentage`; null if it can.
+[[nodiscard]] std::optional<Text> expectedInstead(double value, unsigned demands);
+
 /// Returns the number of characters as in JSON Schema: code points.
 [[nodiscard]] std::size_t lengthOf(QStringView text);
 

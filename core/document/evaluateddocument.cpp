@@ -3,6 +3,7 @@
 #include "document/evaluateddocument.h"
 
 #include "document/comparedtests.h"
+#include "document/impossiblevalues.h"
 #include "document/picture.h"
 #include "document/testsofverdict.h"
 #include "document/thermal.h"
@@ -229,6 +230,13 @@ const Edition *askedOf(std::span<const std::string> editions, std::size_t test) 
     return test < editions.size() && !editions[test].empty() ? findEdition(editions[test]) : nullptr;
 }
 
+/// Evaluates a test and adds what its file states and cannot be.
+TestEvaluationPointer evaluatedTest(const Test &test, const Surroundings &around, const Edition *edition) {
+    TestEvaluation evaluation = evaluateTest(test, around, edition);
+    std::ranges::move(findImpossible(test), std::back_inserter(evaluation.findings));
+    return std::make_shared<const TestEvaluation>(std::move(evaluation));
+}
+
 /// Returns the evaluation of this test in `previous` if nothing it depends on has changed, otherwise null.
 TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const Siblings &siblings,
                                 const TestPointer &test, const Surroundings &now, const Edition *edition) {
@@ -345,8 +353,8 @@ EvaluatedDocument evaluatePending(EvaluatedDocument awaiting, std::span<const st
     for (const std::size_t i : std::exchange(awaiting.pending, {})) {
         const TestPointer &test = document.tests[i];
         requireBackground(readingsOf(*test));
-        awaiting.tests[i] = std::make_shared<const TestEvaluation>(evaluateTest(
-            *test, surroundings(document, siblings, test, awaiting.simulations[i]), askedOf(editions, i)));
+        awaiting.tests[i] = evaluatedTest(
+            *test, surroundings(document, siblings, test, awaiting.simulations[i]), askedOf(editions, i));
     }
     return awaiting;
 }
@@ -381,8 +389,7 @@ EvaluatedDocument withSimulation(const EvaluatedDocument &evaluated, std::size_t
     result.simulations[test] = std::move(simulation);
     const Surroundings around =
         surroundings(*evaluated.document, Siblings(*evaluated.document), source, result.simulations[test]);
-    result.tests[test] =
-        std::make_shared<const TestEvaluation>(evaluateTest(*source, around, evaluated.tests[test]->edition));
+    result.tests[test] = evaluatedTest(*source, around, evaluated.tests[test]->edition);
     return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/fileunit.h"
 #include "kernel/measurement/testfacts.h"
 
 #include <concepts>
@@ -31,7 +32,17 @@ enum Demand : unsigned {
     alike = 1U << 15U,       ///< likewise, for tests of one kind on axes of one motion
     latest = 1U << 16U,      ///< new in version 3: null or left out if empty, written only if not
     countryCode = 1U << 17U, ///< ISO 3166-1 alpha-2
+    percentage = 1U << 18U,  ///< 0 … 100
+    /// Files from before have other values: they are read, and the value is a finding; see
+    /// impossiblevalues.h. A new value is refused where it is entered.
+    questioned = 1U << 19U,
+    ascending = 1U << 20U, ///< a list whose values never fall; always questioned
 };
+
+/// The demands of a number in a unit of the file: fileUnitOf returns it.
+constexpr unsigned operator|(unsigned demands, FileUnit unit) {
+    return demands | static_cast<unsigned>(unit) << firstBitOfFileUnit;
+}
 
 // Fields of the test file: one function per struct, shared by reader and writer, so that each key exists
 // once. `visit(key, member, demands)` takes a member, `visit.object(key, function)` an object that is not a
@@ -146,7 +157,7 @@ void fields(Visit &visit, T &instrument) {
     visit("calibratedBy", instrument.calibratedBy);
     visit("calibrationDate", instrument.calibrationDate, date);
     visit("calibrationDue", instrument.calibrationDue, date);
-    visit("resolution", instrument.resolution, notNegative);
+    visit("resolution", instrument.resolution, notNegative | FileUnit::deviation);
     visit("traceability", instrument.traceability, latest);
 }
 
@@ -167,17 +178,17 @@ template <class Visit, Like<Axis> T>
 void fields(Visit &visit, T &axis) {
     visit("name", axis.name);
     visit("motion", axis.motion);
-    visit("travel", axis.travel, positive);
-    visit("range", axis.range);
+    visit("travel", axis.travel, positive | FileUnit::position);
+    visit("range", axis.range, nothing | FileUnit::position);
     visit("positionFeedback", axis.positionFeedback);
-    visit("scaleElement", axis.scaleElement, notNegative | added);
+    visit("scaleElement", axis.scaleElement, notNegative | added | FileUnit::position);
 }
 
 template <class Visit, Like<TargetChoice> T>
 void fields(Visit &visit, T &choice) {
     visit("kind", choice.kind);
-    visit("interval", choice.interval);
-    visit("period", choice.period);
+    visit("interval", choice.interval, positive | questioned | FileUnit::position);
+    visit("period", choice.period, positive | questioned | FileUnit::position);
     visit("seed", choice.seed);
     visit("faces", choice.faces, positive | added);
 }
@@ -185,14 +196,14 @@ void fields(Visit &visit, T &choice) {
 template <class Visit, Like<Run> T>
 void fields(Visit &visit, T &run) {
     visit("approach", run.approach, obligatory);
-    visit("deviations", run.deviations, obligatory | reading);
+    visit("deviations", run.deviations, obligatory | reading | FileUnit::deviation);
 }
 
 template <class Visit, Like<ExcludedReading> T>
 void fields(Visit &visit, T &excluded) {
     visit("run", excluded.run, obligatory | positive);
     visit("target", excluded.target, obligatory | positive);
-    visit("value", excluded.value, obligatory | reading);
+    visit("value", excluded.value, obligatory | reading | FileUnit::deviation);
     visit("reason", excluded.reason);
 }
 
@@ -205,23 +216,23 @@ void fields(Visit &visit, T &warmUp) {
 
 template <class Visit, Like<TemperatureSeries> T>
 void fields(Visit &visit, T &series) {
-    visit("times", series.times, obligatory);
-    visit("temperatures", series.temperatures, obligatory | celsius);
+    visit("times", series.times, obligatory | ascending | FileUnit::seconds);
+    visit("temperatures", series.temperatures, obligatory | celsius | FileUnit::temperature);
 }
 
 template <class Visit, Like<Sensor> T>
 void fields(Visit &visit, T &sensor) {
     visit("measures", sensor.measures);
     visit("position", sensor.position);
-    visit("start", sensor.start, celsius);
-    visit("end", sensor.end, celsius);
+    visit("start", sensor.start, celsius | FileUnit::temperature);
+    visit("end", sensor.end, celsius | FileUnit::temperature);
     visit("series", sensor.series);
 }
 
 template <class Visit, Like<Expansion> T>
 void fields(Visit &visit, T &expansion) {
-    visit("machine", expansion.machine, coefficient | shared);
-    visit("instrument", expansion.instrument, coefficient | alike);
+    visit("machine", expansion.machine, coefficient | shared | FileUnit::expansion);
+    visit("instrument", expansion.instrument, coefficient | alike | FileUnit::expansion);
 }
 
 template <class Visit, Like<Conditions> T>
@@ -239,8 +250,8 @@ void fields(Visit &visit, T &conditions) {
     visit("stabilised", conditions.stabilised, added | declared | shared);
     visit("instrumentCompensation", conditions.instrumentCompensation, added | declared | alike);
     visit("thermalGuidelines", conditions.thermalGuidelines, declared | shared);
-    visit("toolOffset", conditions.toolOffset);
-    visit("workpieceOffset", conditions.workpieceOffset);
+    visit("toolOffset", conditions.toolOffset, nothing | FileUnit::length);
+    visit("workpieceOffset", conditions.workpieceOffset, nothing | FileUnit::length);
     visit("instrumentPosition", conditions.instrumentPosition);
     visit("sensors", conditions.sensors);
     visit("expansion", conditions.expansion);
@@ -250,36 +261,37 @@ void fields(Visit &visit, T &conditions) {
 template <class Visit, Like<PositioningConditions> T>
 void fields(Visit &visit, T &conditions) {
     fields(visit, conditions.common);
-    visit("feed", conditions.feed, alike);
+    visit("feed", conditions.feed, positive | questioned | alike | FileUnit::feed);
     visit("feedMode", conditions.feedMode, leftOut | alike);
-    visit("dwell", conditions.dwell, alike);
-    visit("approachDistance", conditions.approachDistance, alike);
-    visit("airPressure", conditions.airPressure);
-    visit("airHumidity", conditions.airHumidity);
-    visit("gradientPerHour", conditions.gradientPerHour);
-    visit("gradientHoursBefore", conditions.gradientHoursBefore, notNegative | added);
+    visit("dwell", conditions.dwell, notNegative | questioned | alike | FileUnit::seconds);
+    visit("approachDistance", conditions.approachDistance,
+          notNegative | questioned | alike | FileUnit::position);
+    visit("airPressure", conditions.airPressure, positive | questioned | FileUnit::pressure);
+    visit("airHumidity", conditions.airHumidity, percentage | questioned | FileUnit::percent);
+    visit("gradientPerHour", conditions.gradientPerHour, nothing | FileUnit::gradient);
+    visit("gradientHoursBefore", conditions.gradientHoursBefore, notNegative | added | FileUnit::hours);
     visit("continuousDevice", conditions.continuousDevice, added | alike);
-    visit("referencePosition", conditions.referencePosition);
+    visit("referencePosition", conditions.referencePosition, nothing | FileUnit::position);
 }
 
 template <class Visit, Like<CircularConditions> T>
 void fields(Visit &visit, T &conditions) {
     fields(visit, conditions.common);
-    visit("centre", conditions.centre);
+    visit("centre", conditions.centre, nothing | FileUnit::length);
     visit("startPoint", conditions.startPoint);
     visit("stopPoint", conditions.stopPoint);
     visit("smoothing", conditions.smoothing, alike);
     visit("recentredBetweenRuns", conditions.recentredBetweenRuns, alike);
 }
 
-// Inputs of uncertainties are not restricted: nonsense, such as a negative range, is a finding of the
-// evaluation.
+/// Ranges and uncertainties: a negative one is read and questioned.
+inline constexpr unsigned rangeOrUncertainty = notNegative | questioned;
 
 template <class Visit, Like<DeviceUncertainty> T>
 void fields(Visit &visit, T &device) {
     visit("kind", device.kind);
-    visit("fixed", device.fixed);
-    visit("perMetre", device.perMetre);
+    visit("fixed", device.fixed, rangeOrUncertainty | FileUnit::uncertainty);
+    visit("perMetre", device.perMetre, rangeOrUncertainty | FileUnit::perMetre);
     visit("coverageFactor", device.coverageFactor, positive);
 }
 
@@ -293,21 +305,23 @@ template <class Visit, Like<PositioningUncertaintyInputs> T>
 void fields(Visit &visit, T &uncertainty) {
     visit("method", uncertainty.method, alike);
     visit("device", uncertainty.device, alike);
-    visit("misalignmentRange", uncertainty.misalignmentRange);
-    visit("temperatureRange", uncertainty.temperatureRange, alike);
-    visit("expansionRange", uncertainty.expansionRange, alike);
-    visit("environmentalVariation", uncertainty.environmentalVariation);
+    visit("misalignmentRange", uncertainty.misalignmentRange, rangeOrUncertainty | FileUnit::length);
+    visit("temperatureRange", uncertainty.temperatureRange,
+          rangeOrUncertainty | alike | FileUnit::temperature);
+    visit("expansionRange", uncertainty.expansionRange, rangeOrUncertainty | alike | FileUnit::expansion);
+    visit("environmentalVariation", uncertainty.environmentalVariation,
+          rangeOrUncertainty | FileUnit::uncertainty);
     visit("driftTest", uncertainty.driftTest);
     visit("driftModel", uncertainty.driftModel);
-    visit("length", uncertainty.length);
+    visit("length", uncertainty.length, positive | questioned | FileUnit::position);
     visit("trials", uncertainty.trials, trialCount | alike);
     visit("seed", uncertainty.seed);
-    visit("expanded", uncertainty.expanded, notNegative);
+    visit("expanded", uncertainty.expanded, notNegative | FileUnit::uncertainty);
 }
 
 template <class Visit, Like<ExpandedValue> T>
 void fields(Visit &visit, T &value) {
-    visit("expanded", value.expanded);
+    visit("expanded", value.expanded, rangeOrUncertainty | FileUnit::uncertainty);
     visit("coverageFactor", value.coverageFactor, positive);
 }
 
@@ -315,18 +329,21 @@ template <class Visit, Like<CircularUncertaintyInputs> T>
 void fields(Visit &visit, T &uncertainty) {
     visit("method", uncertainty.method, alike);
     visit("displacement", uncertainty.displacement, alike);
-    visit("resolution", uncertainty.resolution, alike);
-    visit("pointNoise", uncertainty.pointNoise, alike);
-    visit("repeatability", uncertainty.repeatability);
-    visit("environmentalVariation", uncertainty.environmentalVariation);
+    visit("resolution", uncertainty.resolution, rangeOrUncertainty | alike | FileUnit::uncertainty);
+    visit("pointNoise", uncertainty.pointNoise, rangeOrUncertainty | alike | FileUnit::uncertainty);
+    visit("repeatability", uncertainty.repeatability, rangeOrUncertainty | FileUnit::uncertainty);
+    visit("environmentalVariation", uncertainty.environmentalVariation,
+          rangeOrUncertainty | FileUnit::uncertainty);
     visit("driftTest", uncertainty.driftTest);
-    visit("centring", uncertainty.centring);
+    visit("centring", uncertainty.centring, rangeOrUncertainty | FileUnit::uncertainty);
     visit("sameSensor", uncertainty.sameSensor, alike);
-    visit("temperatureStandardUncertainty", uncertainty.temperatureStandardUncertainty, alike);
-    visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty, alike);
+    visit("temperatureStandardUncertainty", uncertainty.temperatureStandardUncertainty,
+          rangeOrUncertainty | alike | FileUnit::temperature);
+    visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty,
+          rangeOrUncertainty | alike | FileUnit::expansion);
     visit("trials", uncertainty.trials, trialCount | alike);
     visit("seed", uncertainty.seed);
-    visit("expanded", uncertainty.expanded, notNegative);
+    visit("expanded", uncertainty.expanded, notNegative | FileUnit::uncertainty);
 }
 
 template <class Visit, Like<AgreedPoint> T>
@@ -334,12 +351,18 @@ void fields(Visit &visit, T &agreed) {
     visit("point", agreed.point, obligatory);
     visit("state", agreed.state, obligatory);
     visit("text", agreed.text, longText);
-    visit("value", agreed.value, added);
+    const bool isFeed = agreed.point == "feed";
+    const bool isGradient = agreed.point == "gradient";
+    visit("value", agreed.value,
+          added | questioned | (isFeed ? positive : notNegative) |
+              (isFeed       ? FileUnit::feed
+               : isGradient ? FileUnit::gradient
+                            : FileUnit::none));
 }
 
 template <class Visit, Like<Limit> T>
 void fields(Visit &visit, T &limit) {
-    visit("value", limit.value);
+    visit("value", limit.value, nothing | FileUnit::deviation);
     visit("edition", limit.edition);
     visit("source", limit.source);
 }
@@ -369,14 +392,14 @@ void fields(Visit &visit, T &plane) {
 template <class Visit, Like<ReferenceLength> T>
 void fields(Visit &visit, T &length) {
     visit("calibrated", length.calibrated);
-    visit("expandedUncertainty", length.expandedUncertainty);
+    visit("expandedUncertainty", length.expandedUncertainty, rangeOrUncertainty | FileUnit::uncertainty);
     visit("coverageFactor", length.coverageFactor, positive);
 }
 
 template <class Visit, Like<SpecifiedCircle> T>
 void fields(Visit &visit, T &circle) {
-    visit("diameter", circle.diameter, positive);
-    visit("feed", circle.feed, positive);
+    visit("diameter", circle.diameter, positive | FileUnit::length);
+    visit("feed", circle.feed, positive | FileUnit::feed);
 }
 
 template <class Visit, Like<DeclaredAccordance> T>
@@ -389,7 +412,7 @@ void fields(Visit &visit, T &declared) {
 template <class Visit, Like<ComparedWith> T>
 void fields(Visit &visit, T &compared) {
     visit("test", compared.test, obligatory);
-    visit("tolerance", compared.tolerance, positive);
+    visit("tolerance", compared.tolerance, positive | FileUnit::deviation);
     visit("setUpUntouched", compared.setUpUntouched);
 }
 
@@ -397,10 +420,10 @@ template <class Visit, Like<Arc> T>
 void fields(Visit &visit, T &arc) {
     visit("sense", arc.sense, obligatory);
     visit("angleReference", arc.angleReference);
-    visit("angles", arc.angles, obligatory);
-    visit("radialDeviations", arc.radialDeviations, obligatory | reading);
-    visit("evaluated", arc.evaluated);
-    visit("sampleInterval", arc.sampleInterval, positive);
+    visit("angles", arc.angles, obligatory | FileUnit::angle);
+    visit("radialDeviations", arc.radialDeviations, obligatory | reading | FileUnit::linearDeviation);
+    visit("evaluated", arc.evaluated, nothing | FileUnit::angle);
+    visit("sampleInterval", arc.sampleInterval, positive | FileUnit::seconds);
     visit("cutOff", arc.cutOff, added);
 }
 
@@ -409,8 +432,8 @@ void fields(Visit &visit, T &measurement) {
     visit("standardDeviation", measurement.standardDeviation);
     visit("axis", measurement.axis);
     visit("cycle", measurement.cycle, leftOut);
-    visit("zone", measurement.zone);
-    visit("targets", measurement.targets, obligatory);
+    visit("zone", measurement.zone, nothing | FileUnit::position);
+    visit("targets", measurement.targets, obligatory | FileUnit::position);
     visit("targetChoice", measurement.targetChoice);
     visit("runs", measurement.runs, obligatory);
     visit("excluded", measurement.excluded);
@@ -422,8 +445,8 @@ template <class Visit, Like<CircularMeasurement> T>
 void fields(Visit &visit, T &measurement) {
     visit("plane", measurement.plane);
     visit("positionFeedback", measurement.positionFeedback);
-    visit("nominalRadius", measurement.nominalRadius, obligatory | positive);
-    visit("feed", measurement.feed);
+    visit("nominalRadius", measurement.nominalRadius, obligatory | positive | FileUnit::length);
+    visit("feed", measurement.feed, positive | questioned | FileUnit::feed);
     visit("specified", measurement.specified, added);
     visit("source", measurement.source);
     visit("centring", measurement.centring);
@@ -439,14 +462,17 @@ template <class Visit, Like<DriftChannel> T>
 void fields(Visit &visit, T &channel) {
     visit("name", channel.name, obligatory);
     visit("quantity", channel.quantity);
-    visit("values", channel.values, obligatory | reading);
+    visit("values", channel.values,
+          obligatory | reading |
+              (channel.quantity == ChannelQuantity::angularDeviation ? FileUnit::angularDeviation
+                                                                     : FileUnit::linearDeviation));
 }
 
 template <class Visit, Like<DriftTemperature> T>
 void fields(Visit &visit, T &temperature) {
     visit("measures", temperature.measures, obligatory);
-    visit("resolution", temperature.resolution, notNegative);
-    visit("values", temperature.values, obligatory | celsius);
+    visit("resolution", temperature.resolution, notNegative | FileUnit::temperature);
+    visit("values", temperature.values, obligatory | celsius | FileUnit::temperature);
 }
 
 template <class Visit, Like<DriftMeasurement> T>
@@ -455,11 +481,11 @@ void fields(Visit &visit, T &measurement) {
         axis("name", measurement.axis.name);
         axis("motion", measurement.axis.motion);
     });
-    visit("times", measurement.times, obligatory);
+    visit("times", measurement.times, obligatory | ascending | FileUnit::seconds);
     visit("channels", measurement.channels, latest);
     // Several channels have the readings instead.
     visit("deviations", measurement.deviations,
-          reading | (measurement.channels.empty() ? obligatory : latest));
+          reading | (measurement.channels.empty() ? obligatory : latest) | FileUnit::deviation);
     visit("temperatures", measurement.temperatures, latest);
     visit("settled", measurement.settled, latest);
 }
@@ -478,7 +504,7 @@ void fields(Visit &visit, T &test) {
         visit("purpose", test.purpose, added);
         visit("role", test.role, added);
         visit("declaredAccordance", test.declaredAccordance, added);
-        visit("duration", test.duration, positive | latest);
+        visit("duration", test.duration, positive | latest | FileUnit::minutes);
         visit("comparedWith", test.comparedWith, latest);
         visit("agreedPoints", test.agreedPoints);
         visit("limits", test.limits);

@@ -434,10 +434,9 @@ private:
     }
 
     static void requireSign(double value, const Place &place, unsigned demands) {
-        require((demands & positive) == 0 || value > 0, place,
-                REPORT_TEXT("report", "expected a number greater than 0"));
-        require((demands & notNegative) == 0 || value >= 0, place,
-                REPORT_TEXT("report", "expected a number that is not negative"));
+        if (const auto expected =
+                (demands & questioned) == 0 ? expectedInstead(value, demands) : std::nullopt)
+            refuseAt(place, *expected);
         require((demands & trialCount) == 0 || (value >= 1 && value <= double(mostTrialsStated)), place,
                 REPORT_TEXT("report", "expected a whole number from 1 to 1 000 000 000"));
     }

@@ -4,6 +4,7 @@
 
 #include "document/fieldpath.h"
 #include "document/fileversion.h"
+#include "document/impossiblevalues.h"
 #include "document/instruments.h"
 #include "document/json.h"
 #include "document/readdocument.h"
@@ -114,6 +115,22 @@ std::optional<double> inBaseUnit(const Document &document, std::span<const Field
     return std::isfinite(base) ? std::optional(base) : std::nullopt;
 }
 
+/// Throws Error for the first impossible value of `changed` that `before` does not have.
+void requirePossible(const Document &before, const Document &changed) {
+    for (std::size_t i = 0; i < changed.tests.size(); ++i) {
+        const auto known =
+            i < before.tests.size() ? impossibleValues(*before.tests[i]) : std::vector<ImpossibleValue>();
+        for (const ImpossibleValue &impossible : impossibleValues(*changed.tests[i])) {
+            const bool isNew = std::ranges::none_of(known, [&](const ImpossibleValue &other) {
+                return other.place == impossible.place && other.value == impossible.value;
+            });
+            if (isNew)
+                throw Error(Error::Kind::content, {impossible.expected},
+                            "tests[" + std::to_string(i) + "]." + impossible.place);
+        }
+    }
+}
+
 /// Returns a file with every key of the format: a test of each kind, and additions of the latest version.
 json fileOfAllKinds() {
     Document document;
@@ -157,7 +174,9 @@ Document withField(const Document &document, std::string_view path, std::string_
                 setAt(test, steps, meaning, path);
         }
         try {
-            return readDocument(QByteArray::fromStdString(compactJson(changed)));
+            Document result = readDocument(QByteArray::fromStdString(compactJson(changed)));
+            requirePossible(document, result);
+            return result;
         } catch (const Error &error) {
             if (!refused)
                 refused = error;

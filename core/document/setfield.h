@@ -14,7 +14,8 @@ namespace palmer {
 /// from 0; one after the last appends. The value is that of the file: a number (also with a comma), true,
 /// false, null or a text; the type of the field decides, so "0815" as a serial number is a text. A length or
 /// angle shown in µm or arc seconds in the window needs its unit: "20 um", "0.02 mm", "5 arcsec"; except 0.
-/// Throws Error with place and expectation for a path or value unknown to the file.
+/// Throws Error with place and expectation for a path or value unknown to the file, and for a value that its
+/// statement cannot have.
 [[nodiscard]] Document withField(const Document &document, std::string_view path, std::string_view value);
 
 /// True if a path begins with a key of a file or of a test of some kind.

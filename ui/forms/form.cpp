@@ -284,6 +284,8 @@ Field *Form::addNumber(const Topic &topic, Quantity quantity, Member<Amount> mem
         if (entry.value && (allowed == Allowed::whole || allowed == Allowed::counting) &&
             (std::trunc(*entry.value) != *entry.value || std::abs(*entry.value) > 1e9))
             return {{}, tr("not a whole number")};
+        if (entry.value && allowed == Allowed::percentage && (*entry.value < 0 || *entry.value > 100))
+            return {{}, tr("not between 0 and 100")};
         if (const auto beyond = entry.value ? beyondBounds(*entry.value, boundsOf(allowed)) : std::nullopt)
             return {{}, m_language.sentence(*beyond)};
         return {shown(entry.value), {}};
@@ -449,6 +451,7 @@ Field *Form::addThing(const Topic &topic, int weight) {
                      memberOfTest<Amount>(thing), weight,
                      (demands & positive) != 0      ? Allowed::positive
                      : (demands & notNegative) != 0 ? Allowed::notNegative
+                     : (demands & percentage) != 0  ? Allowed::percentage
                                                     : Allowed::any);
 }
 

@@ -85,7 +85,7 @@ protected:
     using Amount = std::optional<double>;
     using Moment = std::optional<std::string>;
     /// Range of a number in the file format.
-    enum class Allowed { any, notNegative, positive, whole, counting, celsius, coefficient };
+    enum class Allowed { any, notNegative, positive, whole, counting, celsius, coefficient, percentage };
 
     /// The StatedThing shown by a field. Its name is the label unless another is given; its key is the ID of
     /// the findings that report it as missing (empty: never required).

@@ -4,6 +4,7 @@
 
 #include "document/instruments.h"
 #include "language/decimals.h"
+#include "report/words/findingtext.h"
 
 #include <algorithm>
 #include <set>
@@ -135,8 +136,12 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
         const QString found = range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
                                                 {Number{*range, deviationQuantity(test), 1}})
                                     : QString();
+        QStringList texts{found};
+        for (const Finding &finding : evaluated.tests[i]->findings)
+            texts << findingText(finding, write.language());
+        texts << QString::fromStdString(test.remarks);
         values.rows.push_back({joined({testName(write, test), QString::fromStdString(test.title)}),
-                               joined({found, QString::fromStdString(test.remarks)}, QStringLiteral("\n"))});
+                               joined(texts, QStringLiteral("\n"))});
     }
     if (values.rows.empty())
         return;

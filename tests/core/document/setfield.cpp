@@ -129,6 +129,47 @@ private slots:
         QVERIFY(!withField(given, "tests[0].limits.A.value", "null").tests[0]->limits.at("A").value);
     }
 
+    void anImpossibleValueIsRefused_data() {
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<QString>("expected");
+        const auto row = [](const char *path, const char *value, const char *expected) {
+            QTest::addRow("%s=%s", path, value) << QString(value) << QString(expected);
+        };
+        row("tests[0].conditions.airHumidity", "101", "expected a percentage from 0 to 100");
+        row("tests[0].conditions.airHumidity", "-1", "expected a percentage from 0 to 100");
+        row("tests[0].conditions.airPressure", "-1013", "expected a number greater than 0");
+        row("tests[0].conditions.dwell", "-3", "expected a number that is not negative");
+        row("tests[0].conditions.feed", "0", "expected a number greater than 0");
+        row("tests[0].conditions.approachDistance", "-1", "expected a number that is not negative");
+        row("tests[0].uncertainty.device.fixed", "-1", "expected a number that is not negative");
+        row("tests[0].uncertainty.temperatureRange.machine", "-1", "expected a number that is not negative");
+        row("tests[1].uncertainty.displacement.expanded", "-0,5", "expected a number that is not negative");
+        row("tests[1].feed", "-1000", "expected a number greater than 0");
+        row("tests[0].conditions.sensors[0].series", R"({"times": [0, 2, 1], "temperatures": [20, 20, 20]})",
+            "expected times that ascend");
+    }
+    void anImpossibleValueIsRefused() {
+        QFETCH(const QString, value);
+        QFETCH(const QString, expected);
+        const std::string path = QString(QTest::currentDataTag()).section('=', 0, 0).toStdString();
+        try {
+            (void)withField(ofEachKind(), path, value.toStdString());
+            QFAIL("taken");
+        } catch (const Error &error) {
+            QCOMPARE(error.message.text.source, expected);
+            QVERIFY2(QString::fromStdString(error.place).startsWith(QString::fromStdString(path)),
+                     error.place.c_str());
+        }
+    }
+
+    void anImpossibleValueOfTheFileStays() {
+        Document document = ofEachKind();
+        Test test = *document.tests[0];
+        std::get<PositioningMeasurement>(test.measurement).conditions.airHumidity = 130;
+        document.tests[0] = std::make_shared<const Test>(test);
+        QCOMPARE(withField(document, "tests[0].title", "b").tests[0]->title, std::string("b"));
+    }
+
     void anElementBehindTheLastIsAdded() {
         const Document changed = withField(ofEachKind(), "instruments[0].id", "laser");
         QCOMPARE(changed.instruments.size(), std::size_t(1));

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/measurement/axis.h"
+#include "kernel/words/quantity.h"
+
+namespace palmer {
+
+/// Unit of a number in the test file. The first four are angles for a rotary axis.
+enum class FileUnit : unsigned {
+    none,
+    position,         ///< mm, degrees
+    deviation,        ///< mm shown in µm; degrees shown in arc seconds
+    uncertainty,      ///< µm, arc seconds
+    feed,             ///< mm/min, °/min
+    length,           ///< mm for every axis
+    linearDeviation,  ///< mm shown in µm, for every axis
+    angle,            ///< degrees
+    angularDeviation, ///< degrees shown in arc seconds
+    perMetre,         ///< µm/m
+    temperature,      ///< °C
+    gradient,         ///< °C/h
+    expansion,        ///< µm/(m·°C)
+    seconds,
+    minutes,
+    hours,
+    pressure, ///< hPa
+    percent,
+};
+
+/// Place of the unit among the bits of a field's demands.
+inline constexpr unsigned firstBitOfFileUnit = 24;
+
+[[nodiscard]] constexpr FileUnit fileUnitOf(unsigned demands) {
+    return static_cast<FileUnit>(demands >> firstBitOfFileUnit);
+}
+
+/// Returns the quantity that shows such a number; `number` for units that have none.
+[[nodiscard]] Quantity quantityOf(FileUnit unit, Motion motion);
+
+} // namespace palmer
