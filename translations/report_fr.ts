@@ -1028,10 +1028,6 @@
         <translation>non corrigé à 20&#xa0;°C</translation>
     </message>
     <message>
-        <source>Targets i</source>
-        <translation>Points i</translation>
-    </message>
-    <message>
         <source>Value</source>
         <translation>Valeur</translation>
     </message>
@@ -4386,8 +4382,8 @@
         <translation>Grandeurs en un point visé</translation>
     </message>
     <message>
-        <source>x_ij is actual position minus target position; i counts targets, j runs; ↑ and ↓ are approaches in the positive and the negative direction. A clause that is not known is not printed.</source>
-        <translation>x_ij est la position réelle moins le point visé&#x202f;; i compte les points, j les passes&#x202f;; ↑ et ↓ sont les approches dans le sens positif et négatif. Un article inconnu n’est pas imprimé.</translation>
+        <source>x_ij is actual position minus target position; %1 counts targets, %2 runs; ↑ and ↓ are approaches in the positive and the negative direction. A clause that is not known is not printed.</source>
+        <translation>x_ij est la position réelle moins le point visé&#x202f;; %1 compte les points, %2 les passes&#x202f;; ↑ et ↓ sont les approches dans le sens positif et négatif. Un article inconnu n’est pas imprimé.</translation>
     </message>
     <message>
         <source>The indices name the axes in the order in which the path crosses their positive ends: counterclockwise XY, clockwise YX. Figure 6 of the standard contradicts its clause 3.8; Palmer follows the clause.</source>

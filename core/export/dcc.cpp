@@ -9,6 +9,7 @@
 #include "document/writedocument.h"
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/coverage.h"
+#include "kernel/evaluation/iso230_2/sentences.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/words/shortest.h"
@@ -484,12 +485,12 @@ private:
         }
     }
 
-    void writeExcluded(const Test &test) {
+    void writeExcluded(const Test &test, const Edition &edition) {
         const auto *axis = std::get_if<PositioningMeasurement>(&test.measurement);
         if (axis && !axis->excluded.empty())
             condition(both(REPORT_TEXT("report", "Excluded readings")), [&] {
                 said("dcc:text",
-                     both([&](const Language &language) { return excludedText(*axis, language); }));
+                     both([&](const Language &language) { return excludedText(edition, *axis, language); }));
             });
     }
 
@@ -512,22 +513,21 @@ private:
             condition(both(REPORT_TEXT("report", "Correction to 20 °C")),
                       [&] { said("dcc:text", correctionText(conditions->correctionTo20)); });
             writeWords(index, numbers);
-            writeExcluded(test);
+            writeExcluded(test, *m_evaluated.tests[index]->edition);
         });
     }
 
     /// "3↓ (j = 1): 95.4 µm; beam interrupted", a line a reading.
-    static QString excludedText(const PositioningMeasurement &measurement, const Language &language) {
+    static QString excludedText(const Edition &edition, const PositioningMeasurement &measurement,
+                                const Language &language) {
         QStringList lines;
         for (const ExcludedReading &reading : measurement.excluded) {
-            const auto runs = std::span(measurement.runs).first(static_cast<std::size_t>(reading.run));
-            const Direction approach = runs.back().approach;
-            const auto number = std::ranges::count(runs, approach, &Run::approach);
-            lines << QStringLiteral("%1%2 (j = %3): %4; %5")
-                         .arg(reading.target)
-                         .arg(arrow(approach))
-                         .arg(number)
-                         .arg(language.quantity(reading.value, deviationQuantity(measurement.axis)),
+            const std::string name =
+                iso230_2::readingName(edition, measurement, static_cast<std::size_t>(reading.run) - 1,
+                                      static_cast<std::size_t>(reading.target) - 1);
+            lines << QStringLiteral("%1: %2; %3")
+                         .arg(QString::fromStdString(name),
+                              language.quantity(reading.value, deviationQuantity(measurement.axis)),
                               QString::fromStdString(reading.reason));
         }
         return lines.join(u'\n');

@@ -369,9 +369,7 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
 
     figure.x.quantity = language.text(REPORT_TEXT("report", "Target position"));
     figure.x.symbol = QStringLiteral("P");
-    figure.x.subscript = edition.targetTerms.empty()
-                             ? QStringLiteral("i")
-                             : QString::fromUtf8(edition.targetTerms.front().symbol.subscript);
+    figure.x.subscript = QString::fromUtf8(edition.targetLetter);
     figure.x.unit = language.unit(rotary ? Quantity::angle : Quantity::position);
     figure.x.angle = rotary;
     figure.y.quantity = language.text(edition.deviation);

@@ -65,7 +65,7 @@ CurveFigure differenceFigure(const TestComparison &comparison, const Language &l
     figure.positions = comparison.targets;
     figure.x.quantity = language.text(REPORT_TEXT("report", "Target position"));
     figure.x.symbol = QStringLiteral("P");
-    figure.x.subscript = QStringLiteral("i");
+    figure.x.subscript = QString::fromUtf8(comparison.edition ? comparison.edition->targetLetter : "i");
     figure.x.unit = language.unit(rotary ? Quantity::angle : Quantity::position);
     figure.x.angle = rotary;
     figure.y.quantity = language.text(REPORT_TEXT("report", "after − before"));

@@ -130,14 +130,15 @@ LineFigure compensationFigure(const Test &test, const TestEvaluation &before, co
     add(before, Direction::negative, LineRole::measuredDown, measured);
     add(after, Direction::positive, LineRole::predictedUp, predicted);
     add(after, Direction::negative, LineRole::predictedDown, predicted);
+    const QString letter = QString::fromUtf8(before.edition->targetLetter);
     figure.x.quantity = language.text(REPORT_TEXT("report", "Target position"));
     figure.x.symbol = QStringLiteral("P");
-    figure.x.subscript = QStringLiteral("i");
+    figure.x.subscript = letter;
     figure.x.unit = language.unit(positionQuantity(measurement.axis));
     figure.x.angle = rotary;
     figure.y.quantity = language.text(REPORT_TEXT("report", "Mean deviation"));
     figure.y.symbol = QStringLiteral("x̄");
-    figure.y.subscript = QStringLiteral("i");
+    figure.y.subscript = letter;
     figure.y.unit = language.unit(deviationQuantity(measurement.axis));
     const Bounds x = positions.widened(0.03, 1e-6);
     const Bounds y = values.widened(valueMargin, 1e-6);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/planreport.h"
 
+#include "kernel/evaluation/edition.h"
 #include "language/rounding.h"
 
 #include <algorithm>
@@ -73,6 +74,14 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
     return result;
 }
 
+/// Returns the letter of the editions that choose targets by this rule.
+QString letterOfPlan(TargetRule rule) {
+    const auto list = editionsOf(Kind::positioning);
+    const auto found =
+        std::ranges::find_if(list, [&](const Edition *edition) { return edition->targetRule == rule; });
+    return QString::fromUtf8(found == list.end() ? "i" : (*found)->targetLetter);
+}
+
 /// Table of runs first … last − 1 of the plan, with an empty field per reading.
 Table table(const TargetPlan &plan, const TargetRequest &request, const CycleProgram &program, int first,
             const Language &language) {
@@ -82,7 +91,7 @@ Table table(const TargetPlan &plan, const TargetRequest &request, const CyclePro
         arrows.erase(arrows.begin() + (*program.only == Direction::positive ? 1 : 0));
     const Quantity position = request.motion == Motion::linear ? Quantity::position : Quantity::angle;
     Table result;
-    result.columns.push_back({QStringLiteral("i"), {}, Alignment::right, false});
+    result.columns.push_back({letterOfPlan(request.rule), {}, Alignment::right, false});
     result.columns.push_back({QStringLiteral("P"), language.unit(position), Alignment::decimal, false});
     for (int run = first; run < last; ++run) {
         for (const char *arrow : arrows)

@@ -238,13 +238,14 @@ private:
         Table table;
         for (const ResultColumn *column : columns) {
             const bool isNumber = column->look == ResultLook::number;
-            table.columns.push_back({column->look == ResultLook::symbol ? QString()
-                                     : column->key == std::string_view("expandedUncertainty")
-                                         ? uncertaintyHead(coverage, m_language)
-                                         : text(column->title),
-                                     isNumber ? unit : QString(),
-                                     isNumber ? Alignment::decimal : Alignment::left,
-                                     column->look == ResultLook::name});
+            table.columns.push_back(
+                {column->look == ResultLook::symbol ? QString()
+                 : column->key == std::string_view("expandedUncertainty")
+                     ? uncertaintyHead(coverage, m_language)
+                 : column->axesOnly ? text(column->title) + u' ' + letterOfTargets(*evaluation.edition)
+                                    : text(column->title),
+                 isNumber ? unit : QString(), isNumber ? Alignment::decimal : Alignment::left,
+                 column->look == ResultLook::name});
         }
         for (const PrintedResult &result : results) {
             const Parameter &parameter = *result.parameter;

@@ -153,7 +153,9 @@ void ReadingsModel::rebuild() {
     m_texts.emplace(*m_measurement, m_language, m_unit);
     m_readings = readingColumns(*m_measurement, m_grouping);
     m_statistics = statisticColumns(*m_evaluation, m_language);
-    m_heads.push_back({formulaFrom(QStringLiteral("i")), {}, {}, tr("Number of the target")});
+    const Edition *edition = m_evaluation->edition;
+    const QString letter = QString::fromUtf8(edition ? edition->targetLetter : "i");
+    m_heads.push_back({formulaFrom(letter), {}, {}, tr("Number of the target")});
     m_heads.push_back(
         {formulaFrom(QStringLiteral("P ") + m_texts->positionUnit()), {}, {}, tr("Target position")});
     for (const ReadingColumn &column : m_readings) {

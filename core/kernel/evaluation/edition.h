@@ -99,6 +99,8 @@ struct Edition {
     Text standardCycle = {};  ///< names of the measuring cycles (ISO 230-2)
     Text stepCycle = {};
     TargetRule targetRule = TargetRule::nominalInterval;
+    const char *targetLetter = "i"; ///< index of the targets in symbols
+    const char *runLetter = "j";    ///< index of the runs of a direction
     std::span<const Row> rows = {};
     std::span<const TargetTerm> targetTerms = {};
     TextRead textRead = TextRead::none;

@@ -125,7 +125,7 @@ public:
         result.id = QString::fromStdString(parameterId(m_parameter));
         result.symbol = symbolFormula(m_parameter);
         result.name = m_language.text(m_parameter.term.name);
-        result.formula = filled(m_recipe.formula, {});
+        result.formula = filled(lettered(m_recipe.formula), {});
         if (m_parameter.value) {
             const std::vector<int> decimals = decimalsOfSides();
             std::span<const int> left = decimals;
@@ -133,7 +133,7 @@ public:
                 if (!step)
                     continue;
                 const auto sides = static_cast<std::size_t>(sidesOf(step).size());
-                result.steps.push_back(filled(step, left.first(sides)));
+                result.steps.push_back(filled(QString::fromUtf8(step), left.first(sides)));
                 left = left.subspan(sides);
             }
             result.result = result.symbol.plain() + QStringLiteral(" = ") + shownResult();
@@ -231,10 +231,13 @@ private:
                    : equal(left.value, right.value);
     }
 
+    [[nodiscard]] QString lettered(const char *formula) const {
+        return inLettersOf(*m_evaluation.edition, formula);
+    }
+
     /// The formula of a recipe with all values inserted; `decimals` of the numbers of each side.
-    [[nodiscard]] Formula filled(const char *recipe, std::span<const int> decimals) const {
+    [[nodiscard]] Formula filled(const QString &source, std::span<const int> decimals) const {
         Formula result;
-        const QString source = QString::fromUtf8(recipe);
         std::size_t side = 0;
         bool hasNumbers = false;
         QString plain;
@@ -438,7 +441,7 @@ private:
         if (*m_recipe.bars == 0 || m_results.targets.empty())
             return std::nullopt;
         TargetBars result;
-        result.title = formulaFrom(QString::fromUtf8(m_recipe.barsTitle));
+        result.title = formulaFrom(lettered(m_recipe.barsTitle));
         result.unit = m_language.unit(m_parameter.term.quantity);
         for (const TargetStatistics &target : m_results.targets) {
             const auto value = valueOf(m_recipe.bars, target, m_c);
@@ -545,7 +548,7 @@ Formula formulaOf(const Edition &edition, const Row &row, const Language &langua
     const auto recipe = std::ranges::find(recipes, row.value, &Recipe::function);
     if (recipe == recipes.end())
         return {};
-    QString source = QString::fromUtf8(recipe->formula);
+    QString source = inLettersOf(edition, recipe->formula);
     source.replace(QStringLiteral("%c"), language.number(edition.c, Quantity::number));
     source.replace(QStringLiteral("%d"), language.number(2 * edition.c, Quantity::number));
     const QString place = QStringLiteral("%s");

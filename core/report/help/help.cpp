@@ -101,17 +101,18 @@ HelpPage positioningPage(const Edition &edition, const Language &language) {
     Table targets = symbolTable(language);
     for (const TargetTerm &term : edition.targetTerms) {
         const auto found = std::ranges::find(targetFormulas, std::string_view(term.id), &TargetFormula::id);
-        QString source = found == targetFormulas.end() ? QString() : QString::fromUtf8(found->formula);
+        QString source = found == targetFormulas.end() ? QString() : inLettersOf(edition, found->formula);
         source.replace(QStringLiteral("%c"), language.number(edition.c, Quantity::number));
         source.replace(QStringLiteral("%d"), language.number(2 * edition.c, Quantity::number));
         targets.rows.push_back({Cell(symbolPhrase(term.symbol)), Cell(language.text(term.name)),
                                 Cell(phraseFrom(source)), clauseCell(term.clause)});
     }
     blocks.emplace_back(std::move(targets));
-    blocks.emplace_back(Paragraph{language.text(REPORT_TEXT(
-        "report", "x_ij is actual position minus target position; i counts targets, j runs; ↑ and ↓ "
-                  "are approaches in the positive and the negative direction. A clause that is not "
-                  "known is not printed."))});
+    blocks.emplace_back(Paragraph{language.sentence(
+        REPORT_TEXT("report", "x_ij is actual position minus target position; %1 counts targets, %2 runs; ↑ "
+                              "and ↓ are approaches in the positive and the negative direction. A clause "
+                              "that is not known is not printed."),
+        {std::string(edition.targetLetter), std::string(edition.runLetter)})});
     return page;
 }
 

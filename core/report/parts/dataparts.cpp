@@ -248,8 +248,7 @@ private:
                                           {QStringLiteral("ij"), true},
                                           {arrow(direction)},
                                           {QStringLiteral(", ") + unit, false, false, true}})});
-        const QString run = letterOfTargets(m_part.edition()) == QLatin1String("j") ? QStringLiteral("i")
-                                                                                    : QStringLiteral("j");
+        const QString run = letterOfRuns(m_part.edition());
         for (std::size_t j = first; j < first + count; ++j) {
             Column column{QString(), run + QStringLiteral("\u00A0=\u00A0") + QString::number(j + 1),
                           Alignment::decimal};
@@ -592,7 +591,8 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
     const int places = positionDecimals(measurement);
     Table table;
     table.columns = {
-        targetColumn(part), positionColumn(part), columnOf(QStringLiteral("j"), 12, Alignment::right),
+        targetColumn(part), positionColumn(part),
+        columnOf(letterOfRuns(part.edition()), 12, Alignment::right),
         columnOf(indexed(QStringLiteral("x"), QStringLiteral("ij")), 25, Alignment::decimal, unit),
         write.flexible(REPORT_TEXT("report", "Reason"), 112)};
     const std::vector<int> numbers = numbersInDirection(measurement);

@@ -69,7 +69,7 @@ QString joinedSymbols(const std::vector<const Parameter *> &parameters) {
 }
 
 Phrase targetsTitle(const TestPart &part) {
-    return Phrase({{part.write.text(REPORT_TEXT_FOR("report", "Targets", "followed by i")) + u' '},
+    return Phrase({{part.write.text(resultColumn("ruling").title) + u' '},
                    {letterOfTargets(part.edition()), false, true}});
 }
 

@@ -79,7 +79,7 @@ constexpr std::array columnRows{
         [](const ToldResult &t) { return Json(t.language.text(t.parameter.term.name).toStdString()); }, 0, 29},
     ResultColumn{"clause", "", {}, ResultLook::text, inJson, nullptr,
         [](const ToldResult &t) { return wordOrNull(t.parameter.term.clause); }},
-    ResultColumn{"ruling", "", REPORT_TEXT("report", "Targets i"), ResultLook::text, onPaper | onTerminal | inJson,
+    ResultColumn{"ruling", "", REPORT_TEXT_FOR("report", "Targets", "followed by i"), ResultLook::text, onPaper | onTerminal | inJson,
         [](const ShownResult &s) { return rulingText(*s.result.parameter); }, rulingTargets, 13.6, 0, false, true},
     ResultColumn{"other", "", {}, ResultLook::number, inWindow | onClipboard,
         [](const ShownResult &s) { return s.other ? s.other->value : QString(); }, nullptr, 0, 0, true},

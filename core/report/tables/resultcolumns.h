@@ -63,7 +63,7 @@ struct ResultColumn {
     double width = 0;        ///< on paper, mm; 0: the remaining width
     double summaryWidth = 0; ///< in the summary of a report, mm; 0: not there
     bool besideOnly = false; ///< shown only with a test of the other role
-    bool axesOnly = false;   ///< not for circles
+    bool axesOnly = false;   ///< not for circles; the letter of the targets follows the title
 };
 
 [[nodiscard]] std::span<const ResultColumn> resultColumns();

@@ -6,6 +6,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
 
+#include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
 #include <array>
@@ -232,8 +233,16 @@ QString coverageNote(const CoverageOfResults &coverage, const Language &language
 }
 
 QString letterOfTargets(const Edition &edition) {
-    return edition.targetTerms.empty() ? QStringLiteral("i")
-                                       : QString::fromUtf8(edition.targetTerms.front().symbol.subscript);
+    return QString::fromUtf8(edition.targetLetter);
+}
+
+QString letterOfRuns(const Edition &edition) {
+    return QString::fromUtf8(edition.runLetter);
+}
+
+QString inLettersOf(const Edition &edition, const char *formula) {
+    static const QRegularExpression target(QStringLiteral("_i(?!j)"));
+    return QString::fromUtf8(formula).replace(target, u'_' + letterOfTargets(edition));
 }
 
 bool guardsSimulated(const TestEvaluation &evaluation) {

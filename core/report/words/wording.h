@@ -111,8 +111,13 @@ struct CoverageOfResults {
 /// "k = 2", "95.45 %"; for a mixed column "95.45 % for A, E; k = 2 for the others". Empty without U.
 [[nodiscard]] QString coverageNote(const CoverageOfResults &coverage, const Language &language);
 
-/// "i", for an edition that calls its targets j "j".
+/// Letters of an edition for the indices of targets and of runs: "i" and "j", 1988 "j" and "i".
 [[nodiscard]] QString letterOfTargets(const Edition &edition);
+[[nodiscard]] QString letterOfRuns(const Edition &edition);
+
+/// Returns a formula, written with targets i, in the letters of the edition: "x̄_i↑" → "x̄_j↑". Subscripts
+/// "ij" are the same in all.
+[[nodiscard]] QString inLettersOf(const Edition &edition, const char *formula);
 
 /// True if a result has a simulated U, whose guard band includes 2 s_U.
 [[nodiscard]] bool guardsSimulated(const TestEvaluation &evaluation);

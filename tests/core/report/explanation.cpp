@@ -140,7 +140,7 @@ private slots:
         row("smaller repeatability", "ISO 230-2:2014", "UPR",
             u"UPR = min(R↑; R↓); R↑ = max Ri↑; R↓ = max Ri↓"_s, u"UPR = min(8.0; 12.0) = 8.0\u00a0µm"_s);
         row("mean repeatability", "ISO 230-2:1988", "r",
-            u"r̄ = Σ Ri / m; Ri = max(3si↑ + 3si↓ + |Bi|; 6si↑; 6si↓)"_s, u"r̄ = 61.00 / 5 = 12.2\u00a0µm"_s);
+            u"r̄ = Σ Rj / m; Rj = max(3sj↑ + 3sj↓ + |Bj|; 6sj↑; 6sj↓)"_s, u"r̄ = 61.00 / 5 = 12.2\u00a0µm"_s);
         row("positional uncertainty", vdi, "P", u"P = max(x̄i + (Ui + Psi)/2) − min(x̄i − (Ui + Psi)/2)"_s,
             u"P = (3.50 + (1.00 + 9.00)/2) − (−2.00 − (8.00 + 9.00)/2)\n= 8.50 − (−10.50) = 19.0\u00a0µm"_s);
         row("positional scatter", vdi, "Psmax", u"Psmax = max Psi; Psi = 3(si↑ + si↓)"_s,

@@ -60,8 +60,11 @@ private slots:
             return plainText(std::ranges::find(pages, QString("editions.") + edition, &HelpPage::id)->content,
                              400);
         };
-        QVERIFY(text("ISO 230-2:1988").contains("+ 3si"));
+        QVERIFY(text("ISO 230-2:1988").contains("+ 3sj"));
         QVERIFY(text("ISO 230-2:2006").contains("+ 2si"));
+        QVERIFY(text("ISO 230-2:1988").contains("j counts targets, i runs"));
+        QVERIFY(text("ISO 230-2:1988").contains("Σ xij↑"));
+        QVERIFY(text("ISO 230-2:2006").contains("i counts targets, j runs"));
         QVERIFY(text("ISO 230-2:2006").contains("2.24")); // clause of A
         QVERIFY(text("ISO 230-4:2005").contains("3.4"));  // clause of G
     }

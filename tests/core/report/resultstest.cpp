@@ -40,6 +40,7 @@ private slots:
     void fitsATerminal_data();
     void fitsATerminal();
     void saysWhatIsStandInIn1988();
+    void lettersAreThoseOfTheEdition();
     void titlesATestByItsTitleElseItsKind();
     void titlesAStepCycleNotAgreed();
     void saysNotCorrected();
@@ -71,6 +72,22 @@ void ResultsTest::saysWhatIsStandInIn1988() {
     QString text = resultsText(example("iso230-2-1988-example"));
     QVERIFY(text.contains(" 18.0 ") && text.contains("2↓ – 9↑"));
     QVERIFY(text.simplified().contains("ten readings are substitutes"));
+}
+
+void ResultsTest::lettersAreThoseOfTheEdition() {
+    const auto setAside = [](const char *edition) {
+        return resultsText(
+            changed(example("iso230-2-1988-example"), [edition](Test &test, PositioningMeasurement &m) {
+                test.edition = edition;
+                m.excluded = {{1, 2, *m.runs[0].deviations[1], "beam"}};
+                m.runs[0].deviations[1].reset();
+            }));
+    };
+    const QString of1988 = setAside("ISO 230-2:1988");
+    QVERIFY2(of1988.contains("Targets j") && of1988.contains("(i = 1)"), qPrintable(of1988));
+    QVERIFY(!of1988.contains("Targets i") && !of1988.contains("(j = "));
+    const QString of2006 = setAside("ISO 230-2:2006");
+    QVERIFY2(of2006.contains("Targets i") && of2006.contains("(j = 1)"), qPrintable(of2006));
 }
 
 void ResultsTest::titlesATestByItsTitleElseItsKind() {

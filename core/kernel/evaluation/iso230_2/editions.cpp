@@ -172,6 +172,8 @@ Edition iso1988(const char *word) {
             .standardCycle = standardCycle1988,
             .stepCycle = stepCycle1988,
             .targetRule = TargetRule::pitches1988,
+            .targetLetter = "j",
+            .runLetter = "i",
             .rows = rows1988,
             .targetTerms = targets1988,
             .textRead = TextRead::all,

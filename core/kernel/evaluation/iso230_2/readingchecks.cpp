@@ -34,7 +34,7 @@ NameList gaps(const PositioningCase &test, bool withSetAside) {
         for (std::size_t target = 0; target < deviations.size(); ++target) {
             const std::pair place(static_cast<int>(run) + 1, static_cast<int>(target) + 1);
             if (!deviations[target] && !setAside.contains(place))
-                result.add(readingName(m, run, target));
+                result.add(readingName(test.edition, m, run, target));
         }
     }
     return result;
@@ -116,8 +116,8 @@ Sentence refusedReadings(const PositioningCase &test) {
     for (const RefusedReading &reading : m.refused) {
         const auto run = static_cast<std::size_t>(reading.run - 1);
         if (run < m.runs.size())
-            list.add(readingName(m, run, static_cast<std::size_t>(reading.target - 1)) + " [" + reading.text +
-                     "]");
+            list.add(readingName(test.edition, m, run, static_cast<std::size_t>(reading.target - 1)) + " [" +
+                     reading.text + "]");
     }
     if (list.empty())
         return std::nullopt;
@@ -144,7 +144,7 @@ Sentence excludedReadings(const PositioningCase &test) {
     for (const ExcludedReading &reading : m.excluded) {
         const auto run = static_cast<std::size_t>(reading.run - 1);
         if (run < m.runs.size())
-            list.add(readingName(m, run, static_cast<std::size_t>(reading.target - 1)));
+            list.add(readingName(test.edition, m, run, static_cast<std::size_t>(reading.target - 1)));
     }
     return Message{
         test.edition.textRead != TextRead::none

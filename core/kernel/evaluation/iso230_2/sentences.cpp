@@ -4,12 +4,14 @@
 
 namespace palmer::iso230_2 {
 
-std::string readingName(const PositioningMeasurement &measurement, std::size_t run, std::size_t target) {
+std::string readingName(const Edition &edition, const PositioningMeasurement &measurement, std::size_t run,
+                        std::size_t target) {
     const Direction approach = measurement.runs[run].approach;
-    int j = 0;
+    int number = 0;
     for (std::size_t k = 0; k <= run; ++k)
-        j += measurement.runs[k].approach == approach;
-    return std::to_string(target + 1) + arrow(approach) + " (j = " + std::to_string(j) + ")";
+        number += measurement.runs[k].approach == approach;
+    return std::to_string(target + 1) + arrow(approach) + " (" + edition.runLetter + " = " +
+           std::to_string(number) + ")";
 }
 
 void NameList::add(const std::string &name) {

@@ -31,9 +31,10 @@ namespace palmer::iso230_2 {
     return direction == Direction::positive ? "↑" : "↓";
 }
 
-/// "3↑ (j = 2)": target 3, second run in the positive direction. `run` counts from 0 over all runs.
-[[nodiscard]] std::string readingName(const PositioningMeasurement &measurement, std::size_t run,
-                                      std::size_t target);
+/// "3↑ (j = 2)": target 3, second run in the positive direction, with the letter that the edition gives to
+/// runs. `run` counts from 0 over all runs.
+[[nodiscard]] std::string readingName(const Edition &edition, const PositioningMeasurement &measurement,
+                                      std::size_t run, std::size_t target);
 
 /// A list kept readable: the first dozen names, then "…".
 class NameList {

@@ -22,6 +22,7 @@ private slots:
     void rowsSayAllOfAParameter();
     void oneOfEachKindIsTheDefault();
     void everyEditionIsAmongThoseOfItsKind();
+    void lettersAreThoseOfTheSymbols();
 };
 
 void Editions::wordsAreThoseOfTheFile() {
@@ -166,6 +167,16 @@ void Editions::everyEditionIsAmongThoseOfItsKind() {
              std::string("ISO 230-4:1996, ISO 230-4:2005, ISO 230-4:2022"));
     QCOMPARE(wordsOf(editionsOf(Kind::circular).first(1)), std::string("ISO 230-4:1996"));
     QCOMPARE(wordsOf({}), std::string());
+}
+
+void Editions::lettersAreThoseOfTheSymbols() {
+    for (const Edition *edition : editions()) {
+        const bool is1988 = edition->family == QByteArray("ISO 230-2:1988");
+        QCOMPARE(QByteArray(edition->targetLetter), QByteArray(is1988 ? "j" : "i"));
+        QCOMPARE(QByteArray(edition->runLetter), QByteArray(is1988 ? "i" : "j"));
+        for (const TargetTerm &term : edition->targetTerms)
+            QCOMPARE(QByteArray(term.symbol.subscript), QByteArray(edition->targetLetter));
+    }
 }
 
 QTEST_GUILESS_MAIN(Editions)

@@ -176,6 +176,13 @@ void Sentences::numbers_data() {
         },
         "1↓ (j = 2); #1");
     row(
+        "set aside, 1988", of1988, shortAxis, "excluded",
+        [](Setup &s) {
+            s.m().runs[3].deviations[0].reset();
+            s.m().excluded = {{4, 1, 0.1, "beam"}};
+        },
+        "1↓ (i = 2); #1");
+    row(
         "range method of eleven", of1988, shortAxis, "standardDeviation",
         [](Setup &s) {
             s.m().standardDeviation = DeviationMethod::range;
