@@ -72,7 +72,7 @@ Sentence expansionUncertainty(const PositioningCase &test);    ///< 0.6·R(α) �
 Judgement temperaturesOf2006(const PositioningCase &test);     ///< of machine and instrument
 Judgement temperaturesOfMachineAndInstrument(const PositioningCase &test); ///< each by its own sensor
 Judgement sensorsOf1988(const PositioningCase &test);        ///< positions and type of compensation
-Judgement correctionStatements(const PositioningCase &test); ///< the statements that belong to a correction
+Judgement correctionStatements(const PositioningCase &test); ///< the statements of a correction that was made
 Judgement namedInstrument(const PositioningCase &test);      ///< one with a description
 
 } // namespace palmer::iso230_2

@@ -170,13 +170,9 @@ Judgement correctionStatements(const PositioningCase &test) {
         REPORT_TEXT("report", "position of the temperature sensors, expansion coefficient of the instrument"),
         REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument")};
     const Expansion &alpha = test.common().expansion;
-    Judgement lacking = Judgement::lacking(
+    return Judgement::lacking(
         State::unmet, missingOf(common::machineSensorsPlaced(test.common()), alpha.machine, alpha.instrument),
         names);
-    // These belong to a correction, so ask first whether there was one.
-    if (lacking.state && test.common().correctionTo20 == CorrectionTo20::notStated)
-        return {State::undeclared, {}, REPORT_TEXT("report", "correction to 20 °C")};
-    return lacking;
 }
 
 Judgement namedInstrument(const PositioningCase &test) {

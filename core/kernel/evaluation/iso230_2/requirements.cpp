@@ -89,8 +89,10 @@ bool compensatingInstrument(const PositioningCase &test) {
 bool approachedBothWays(const PositioningCase &test) {
     return test.positiveRuns > 0 && test.negativeRuns > 0;
 }
-bool mayBeCorrected(const PositioningCase &test) {
-    return test.linear() && test.common().correctionTo20 != CorrectionTo20::notApplied;
+bool wasCorrected(const PositioningCase &test) {
+    const CorrectionTo20 correction = test.common().correctionTo20;
+    return test.linear() &&
+           (correction == CorrectionTo20::appliedByInstrument || correction == CorrectionTo20::appliedHere);
 }
 
 // ---- Rows with their own wording -------------------------------------------------------------------------
@@ -238,7 +240,7 @@ constexpr std::array text2006{
     Demand{"evenSpacing", practice, "", info, readings, nullptr, unless<evenSpacing>, {}, {}, {"targets"}},
     Demand{"instrumentPosition", text, "4.3.1", shall, conditions, nullptr, statingConditions<common::instrumentPosition>,
         REPORT_TEXT("report", "position of the measuring device"), {}, {"conditions.instrumentPosition", "conditions.toolOffset"}},
-    Demand{"correctionStatements", text, "4.3.1", shall, conditions, mayBeCorrected, correctionStatements,
+    Demand{"correctionStatements", text, "4.3.1", shall, conditions, wasCorrected, correctionStatements,
         REPORT_TEXT("report", "position of the temperature sensors, expansion coefficients"), {}, {"conditions.sensors", "conditions.expansion"}},
     Demand{"travel", text, "4.3.2", shall, conditions, linear, axisTravel,
         REPORT_TEXT("report", "axis travel"), {}, {"axis.travel"}},

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/kernel/evaluation/circulardata.h"
 #include "core/kernel/evaluation/positioningdata.h"
 
 #include <QTest>
+#include <set>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -23,6 +25,8 @@ private slots:
     void temperaturesOfMachineAndInstrument_data();
     void temperaturesOfMachineAndInstrument();
     void workedExampleIsRecognised();
+    void listsNameNothingTwice_data();
+    void listsNameNothingTwice();
 };
 
 void Findings::limits() {
@@ -54,7 +58,6 @@ void Findings::limitsOfOtherEditions() {
     QVERIFY(parameter(e, "E")->verdict == Verdict::conforms); // an alias counts as the edition
     QVERIFY(e.verdict == Verdict::notProven);                 // A was agreed, and nothing is known of it
     QVERIFY(e.limits.at(0).reason == NotEvaluable::otherEdition);
-    QVERIFY(e.limits.at(1).state == LimitState::respected);
 }
 
 void Findings::everyLimitHasAState_data() {
@@ -271,6 +274,53 @@ void Findings::workedExampleIsRecognised() {
     Test changed = example1988("ISO 230-2:1988");
     *measurement(changed).runs[1].deviations[5] += 0.0001;
     QVERIFY(!finding(evaluated(changed), "workedExample"));
+}
+
+void Findings::listsNameNothingTwice_data() {
+    QTest::addColumn<QByteArray>("edition");
+    for (const Edition *edition : editions())
+        QTest::newRow(edition->word) << QByteArray(edition->word);
+}
+
+/// Tests that state nothing but their correction: their lists are the longest.
+void Findings::listsNameNothingTwice() {
+    QFETCH(const QByteArray, edition);
+    const Edition *of = findEdition(edition.toStdString());
+    std::vector<Test> tests;
+    for (const auto correction : {CorrectionTo20::notStated, CorrectionTo20::notApplied,
+                                  CorrectionTo20::appliedByInstrument, CorrectionTo20::appliedHere}) {
+        if (of->kind == Kind::circular) {
+            const auto round = [](double angle) { return angle / 360; };
+            Test test = circularTest({pathOf(Sense::counterclockwise, 90, round)});
+            test.edition = edition.toStdString();
+            auto &measurement = std::get<CircularMeasurement>(test.measurement);
+            measurement.requiredResults = {"F", "G"};
+            measurement.conditions = {};
+            measurement.conditions.common.correctionTo20 = correction;
+            tests.push_back(test);
+            continue;
+        }
+        for (const double travel : {400.0, 4000.0}) {
+            for (const Motion motion : {Motion::linear, Motion::rotary}) {
+                Test test =
+                    positioningTest(edition, {0, travel / 2, travel}, {{0, 1, 2}, {1, 2, 3}}, {{0, 2, 4}});
+                measurement(test).axis.motion = motion;
+                measurement(test).conditions.common.correctionTo20 = correction;
+                tests.push_back(test);
+            }
+        }
+    }
+    for (const Test &test : tests) {
+        std::set<std::pair<std::string, QString>> named;
+        for (const Finding &finding : evaluated(test).findings) {
+            // Names of several parts are lists themselves.
+            for (const QString &name :
+                 QString::fromUtf8(finding.name.source).split(", ", Qt::SkipEmptyParts)) {
+                const bool isNew = named.emplace(finding.message.text.source, name).second;
+                QVERIFY2(isNew, qPrintable(name));
+            }
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(Findings)

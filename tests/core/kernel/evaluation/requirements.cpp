@@ -1001,7 +1001,7 @@ void Requirements::rows_data() {
             s.common().correctionTo20 = CorrectionTo20::notStated;
             s.common().expansion.machine.reset();
         },
-        "correctionStatements", "4.3.1", "undeclared");
+        "correctionStatements", "4.3.1", "met");
     row(
         "not corrected without coefficients", of2006, shortAxis,
         [](Setup &s) {
