@@ -133,7 +133,8 @@ QString fieldsSentence(const Language &language) {
     return language.text(REPORT_TEXT(
         "report", "Every other key is the path of a field of the test file, as its schema has it: "
                   "machine.name, limits.A.value (of every test), tests[0].title. Limits, deviations and "
-                  "resolutions say their unit: 20um, 5arcsec."));
+                  "resolutions say their unit: 20um, 5arcsec. Other numbers may have any unit that fits: "
+                  "500 mm, 2 m/min, 22.5 °C; without one they are in the unit of the file."));
 }
 
 QString programHelp(const Language &language) {

@@ -67,8 +67,9 @@ inline constexpr std::array foreignOptions{
     Option{"set", "key=value",
            REPORT_TEXT("report", "a choice of the import (unit=um, decimalMark=comma, axis=X, "
                                  "columns=target,run+,run-, …), or a field of the test file by its path "
-                                 "(machine.name=DMU 50, limits.A.value=0.020: of every test, "
-                                 "tests[0].title=…); may stand several times"),
+                                 "(machine.name=DMU 50, limits.A.value=20um: of every test, "
+                                 "tests[0].title=…), numbers with any unit that fits (500 mm, "
+                                 "2 m/min, 22.5 °C); may stand several times"),
            true},
     Option{"accept", "",
            REPORT_TEXT("report",

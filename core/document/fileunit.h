@@ -5,6 +5,9 @@
 #include "kernel/measurement/axis.h"
 #include "kernel/words/quantity.h"
 
+#include <optional>
+#include <string_view>
+
 namespace palmer {
 
 /// Unit of a number in the test file. The first four are angles for a rotary axis.
@@ -38,5 +41,13 @@ inline constexpr unsigned firstBitOfFileUnit = 24;
 
 /// Returns the quantity that shows such a number; `number` for units that have none.
 [[nodiscard]] Quantity quantityOf(FileUnit unit, Motion motion);
+
+/// Returns the unit as it can be typed: "mm", "um", "°C"; empty for `none`.
+[[nodiscard]] const char *wordOf(FileUnit unit, Motion motion);
+
+/// Converts a number typed with a unit ("um", "µm", "m/min", "°C") into the unit of the file. Null if the
+/// unit does not fit or is unknown.
+[[nodiscard]] std::optional<double> inFileUnit(double number, std::string_view typed, FileUnit unit,
+                                               Motion motion);
 
 } // namespace palmer

@@ -3,23 +3,25 @@
 #include "document/setfield.h"
 
 #include "document/fieldpath.h"
+#include "document/fields.h"
+#include "document/fileunit.h"
 #include "document/fileversion.h"
 #include "document/impossiblevalues.h"
 #include "document/instruments.h"
 #include "document/json.h"
 #include "document/readdocument.h"
 #include "kernel/measurement/testfacts.h"
-#include "kernel/words/unit.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace palmer {
@@ -28,91 +30,177 @@ namespace {
 
 using nlohmann::json;
 
-/// Fields stored in mm or degrees but shown in µm or arc seconds: without tests[0], * is any key or index.
-constexpr std::array<std::string_view, 6> shownFinely{
-    "limits.*.value",   "instruments.*.resolution",  "runs.*.deviations.*",
-    "excluded.*.value", "arcs.*.radialDeviations.*", "deviations.*"};
+/// A number that a path leads to in a test.
+struct NumberPlace {
+    FileUnit unit = FileUnit::none;
+    Motion motion = Motion::linear;
 
-bool isShownFinely(std::span<const FieldStep> steps) {
-    return std::ranges::any_of(shownFinely, [&](std::string_view pattern) {
-        return std::ranges::equal(stepsOf(pattern), steps, [](const FieldStep &part, const FieldStep &step) {
-            return part.key == "*" || (!step.index && part.key == step.key);
-        });
-    });
+    /// True if the window shows it in another unit than the file: a bare number may be meant in either.
+    [[nodiscard]] bool isShownFinely() const {
+        const Quantity quantity = quantityOf(unit, motion);
+        return quantity == Quantity::deviation || quantity == Quantity::angularDeviation;
+    }
+};
+
+using Steps = std::span<const FieldStep>;
+
+/// Follows a path through the fields of a struct to the unit of the number at its end; the functions for
+/// values are members because they call each other. What the file does not have yet is a default value.
+class NumberFinder {
+public:
+    NumberFinder(Steps steps, unsigned inherited)
+        : m_steps(steps)
+        , m_inherited(inherited) {}
+
+    template <class T>
+    void operator()(const char *key, const T &member, unsigned demands = nothing) {
+        if (leadsTo(key))
+            m_found = at(member, m_steps.subspan(1), demands == nothing ? m_inherited : demands);
+    }
+    void object(const char *key, const auto &members) {
+        if (!leadsTo(key))
+            return;
+        NumberFinder finder(m_steps.subspan(1), nothing);
+        members(finder);
+        m_found = finder.m_found;
+    }
+    void extensions(const char * /*key*/, const std::string & /*text*/) {}
+
+    template <class T>
+    static std::optional<FileUnit> at(const T &value, Steps steps, unsigned demands) {
+        if constexpr (std::is_same_v<T, double>) {
+            return steps.empty() ? std::optional(fileUnitOf(demands)) : std::nullopt;
+        } else if constexpr (std::is_class_v<T>) {
+            NumberFinder finder(steps, demands);
+            fields(finder, value);
+            return finder.m_found;
+        } else {
+            return std::nullopt;
+        }
+    }
+
+private:
+    static std::optional<FileUnit> at(const std::string &, Steps, unsigned) { return {}; }
+    static std::optional<FileUnit> at(const Permitted &, Steps, unsigned) { return {}; }
+    static std::optional<FileUnit> at(const TestPointer &, Steps, unsigned) { return {}; }
+    static std::optional<FileUnit> at(const Point3 &, Steps steps, unsigned demands) {
+        return steps.size() == 1 && steps.front().index ? std::optional(fileUnitOf(demands)) : std::nullopt;
+    }
+    template <class T>
+    static std::optional<FileUnit> at(const std::optional<T> &value, Steps steps, unsigned demands) {
+        return at(value ? *value : T(), steps, demands);
+    }
+    template <class T>
+    static std::optional<FileUnit> at(const std::vector<T> &values, Steps steps, unsigned demands) {
+        if (steps.empty() || !steps.front().index)
+            return {};
+        const std::size_t i = *steps.front().index;
+        return at(i < values.size() ? values[i] : T(), steps.subspan(1), demands);
+    }
+    template <class T>
+    static std::optional<FileUnit> at(const std::map<std::string, T> &values, Steps steps, unsigned demands) {
+        if (steps.empty() || steps.front().index)
+            return {};
+        const auto found = values.find(steps.front().key);
+        return at(found == values.end() ? T() : found->second, steps.subspan(1), demands);
+    }
+
+    [[nodiscard]] bool leadsTo(std::string_view key) const {
+        return !m_steps.empty() && !m_steps.front().index && m_steps.front().key == key;
+    }
+
+    Steps m_steps;
+    unsigned m_inherited;
+    std::optional<FileUnit> m_found;
+};
+
+/// Returns the motion that decides whether a number outside the tests is a length or an angle.
+Motion motionAt(const Document &document, Steps steps) {
+    const bool isOfInstrument = steps.size() > 1 && steps.front().key == "instruments" && steps[1].index &&
+                                *steps[1].index < document.instruments.size();
+    return isOfInstrument && resolutionQuantity(document, document.instruments[*steps[1].index]) ==
+                                 Quantity::angularDeviation
+               ? Motion::rotary
+               : Motion::linear;
 }
 
-/// Returns the quantities of the numbers at a path, one per number set; empty if no unit is required.
-std::vector<Quantity> finelyShownAt(const Document &document, std::span<const FieldStep> steps) {
+/// Returns the numbers that a path sets, one per test for a path of every test; empty if it sets none.
+std::vector<NumberPlace> numbersAt(const Document &document, Steps steps, bool ofFile) {
+    std::vector<NumberPlace> result;
+    const auto add = [&](const std::optional<FileUnit> &unit, Motion motion) {
+        if (unit)
+            result.push_back({*unit, motion});
+    };
     const std::vector<TestPointer> &tests = document.tests;
-    std::vector<Quantity> result;
-    if (steps.front().key == "instruments" && isShownFinely(steps)) {
-        const std::size_t k = steps[1].index.value_or(document.instruments.size());
-        result.push_back(k < document.instruments.size()
-                             ? resolutionQuantity(document, document.instruments[k])
-                             : Quantity::deviation);
-    } else if (steps.front().key == "tests" && steps.size() > 2 && isShownFinely(steps.subspan(2))) {
-        if (const std::size_t k = steps[1].index.value_or(tests.size()); k < tests.size())
-            result.push_back(deviationQuantity(*tests[k]));
-    } else if (isShownFinely(steps)) {
+    if (!ofFile) {
         for (const TestPointer &test : tests)
-            result.push_back(deviationQuantity(*test));
+            add(NumberFinder::at(*test, steps, nothing), motionOf(*test));
+    } else if (steps.front().key != "tests") {
+        add(NumberFinder::at(document, steps, nothing), motionAt(document, steps));
+    } else if (steps.size() > 2 && steps[1].index && *steps[1].index < tests.size()) {
+        const Test &test = *tests[*steps[1].index];
+        add(NumberFinder::at(test, steps.subspan(2), nothing), motionOf(test));
     }
     return result;
 }
 
-/// Units suggested in a message: the one shown in the window and the one of the file.
-struct Offered {
-    Quantity quantity = Quantity::deviation;
-    UnitKind kind = UnitKind::length;
-    const char *shown = nullptr;
-    const char *ofFile = nullptr;
+/// A value that begins as a number: "20", "2,5 mm".
+struct TypedNumber {
+    double number = 0;
+    std::string digits;
+    std::string unit; ///< without blanks around it; empty: none
 };
-constexpr std::array offeredUnits{
-    Offered{Quantity::deviation, UnitKind::length, "um", "mm"},
-    Offered{Quantity::angularDeviation, UnitKind::angle, "arcsec", "deg"},
-};
-
-/// Returns the unit by its import keyword or its sign; both micro signs are accepted.
-const Unit *unitTyped(std::string word) {
-    constexpr std::string_view greek = "μ";
-    if (word.starts_with(greek))
-        word.replace(0, greek.size(), "µ");
-    const Unit *unit = unitOf(word);
-    return unit ? unit : unitOfSign(word);
-}
-
-/// Returns "20 um" in mm or "5 arcsec" in degrees where such units are required; null if the value is to be
-/// read as it is. Throws Error for a number without a unit or with one of another kind.
-std::optional<double> inBaseUnit(const Document &document, std::span<const FieldStep> steps,
-                                 std::string_view value) {
-    const std::vector<Quantity> quantities = finelyShownAt(document, steps);
+std::optional<TypedNumber> typedNumber(std::string_view value) {
     std::string text(value);
     std::ranges::replace(text, ',', '.');
     double number = 0;
     const auto [behind, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (quantities.empty() || error != std::errc() || !std::isfinite(number))
+    if (error != std::errc() || !std::isfinite(number))
         return {};
     const auto length = static_cast<std::size_t>(behind - text.data());
-    std::string word(value.substr(length));
-    word.erase(0, word.find_first_not_of(' '));
-    word.erase(word.find_last_not_of(' ') + 1);
-    if (word.empty() && number == 0)
-        return 0;
-    const Unit *unit = unitTyped(word);
-    for (const Quantity quantity : quantities) {
-        const auto offered = std::ranges::find(offeredUnits, quantity, &Offered::quantity);
-        if (offered == offeredUnits.end() || (unit && unit->kind == offered->kind))
-            continue;
-        const std::string digits(value.substr(0, length));
+    std::string unit(value.substr(length));
+    unit.erase(0, unit.find_first_not_of(' '));
+    unit.erase(unit.find_last_not_of(' ') + 1);
+    return TypedNumber{number, std::string(value.substr(0, length)), std::move(unit)};
+}
+
+/// Throws Error for a number that needs a unit, or has one that does not fit.
+[[noreturn]] void refuseUnit(std::string_view value, const TypedNumber &typed, const NumberPlace &place) {
+    const std::string ofFile = wordOf(place.unit, place.motion);
+    if (!place.isShownFinely())
         throw Error(Error::Kind::content,
-                    {word.empty()
-                         ? REPORT_TEXT("report", "%1 of what? Write %2 or %3")
-                         : REPORT_TEXT("report", "the unit of “%1” does not fit here; write %2 or %3"),
-                     {std::string(value), digits + offered->shown, digits + offered->ofFile},
+                    {REPORT_TEXT("report", "the unit of “%1” does not fit here; expected %2"),
+                     {std::string(value), ofFile},
                      {}});
+    const char *shown = ofFile == "mm" ? "um" : "arcsec";
+    throw Error(Error::Kind::content,
+                {typed.unit.empty()
+                     ? REPORT_TEXT("report", "%1 of what? Write %2 or %3")
+                     : REPORT_TEXT("report", "the unit of “%1” does not fit here; write %2 or %3"),
+                 {std::string(value), typed.digits + shown, typed.digits + ofFile},
+                 {}});
+}
+
+/// Returns "20 um" or "2 m/min" in the unit of the file; null if the value is to be read as it is. Throws
+/// Error for a number without the unit it needs, or with one that does not fit.
+std::optional<double> inUnitOfFile(const Document &document, Steps steps, bool ofFile,
+                                   std::string_view value) {
+    const std::optional<TypedNumber> typed = typedNumber(value);
+    if (!typed)
+        return {};
+    std::optional<double> result;
+    for (const NumberPlace &place : numbersAt(document, steps, ofFile)) {
+        if (place.unit == FileUnit::none || (typed->unit.empty() && !place.isShownFinely()))
+            continue;
+        if (typed->unit.empty() && typed->number == 0) {
+            result = 0;
+            continue;
+        }
+        result = inFileUnit(typed->number, typed->unit, place.unit, place.motion);
+        if (!result)
+            refuseUnit(value, *typed, place);
     }
-    const double base = unit ? unit->toBase(number) : number;
-    return std::isfinite(base) ? std::optional(base) : std::nullopt;
+    return result && std::isfinite(*result) ? result : std::nullopt;
 }
 
 /// Throws Error for the first impossible value of `changed` that `before` does not have.
@@ -163,7 +251,7 @@ Document withField(const Document &document, std::string_view path, std::string_
     file["version"] = fileVersion; // has all keys
     const std::vector<FieldStep> steps = stepsOf(path);
     const bool ofFile = file.contains(steps.front().key);
-    const std::optional<double> converted = inBaseUnit(document, steps, value);
+    const std::optional<double> converted = inUnitOfFile(document, steps, ofFile, value);
     std::optional<Error> refused;
     for (const json &meaning : converted ? std::vector<json>{*converted} : meaningsOf(value)) {
         json changed = file;

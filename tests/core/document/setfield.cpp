@@ -3,8 +3,11 @@
 #include "document/setfield.h"
 
 #include "document/documenterror.h"
+#include "document/fields.h"
+#include "document/writedocument.h"
 
 #include <QTest>
+#include <set>
 
 using namespace palmer;
 
@@ -29,6 +32,54 @@ Document ofEachKind() {
     add(circle, "ISO 230-4:2005");
     return document;
 }
+
+/// Collects the keys of numbers that have no unit in the file.
+class NumbersWithoutUnit {
+public:
+    template <class T>
+    void operator()(const char *key, const T &member, unsigned demands = nothing) {
+        const unsigned before = m_inherited;
+        m_inherited = demands == nothing ? m_inherited : demands;
+        visit(key, member);
+        m_inherited = before;
+    }
+    void object(const char * /*key*/, const auto &members) { members(*this); }
+    void extensions(const char * /*key*/, const std::string & /*text*/) {}
+
+    [[nodiscard]] const std::set<std::string> &keys() const { return m_keys; }
+
+private:
+    template <class T>
+    void visit(const char *key, const T &member) {
+        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Point3>) {
+            if (fileUnitOf(m_inherited) == FileUnit::none)
+                m_keys.insert(key);
+        } else if constexpr (std::is_class_v<T> && !std::is_same_v<T, std::string> &&
+                             !std::is_same_v<T, Permitted>) {
+            fields(*this, member);
+        }
+    }
+    template <class T>
+    void visit(const char *key, const std::optional<T> & /*member*/) {
+        visit(key, T());
+    }
+    template <class T>
+    void visit(const char *key, const std::vector<T> &members) {
+        if constexpr (std::is_same_v<T, TestPointer>) {
+            for (const TestPointer &test : members)
+                fields(*this, *test);
+        } else {
+            visit(key, T());
+        }
+    }
+    template <class T>
+    void visit(const char *key, const std::map<std::string, T> & /*members*/) {
+        visit(key, T());
+    }
+
+    unsigned m_inherited = nothing;
+    std::set<std::string> m_keys;
+};
 
 } // namespace
 
@@ -120,6 +171,119 @@ private slots:
                 said << QString::fromStdString(std::get<std::string>(word));
             QCOMPARE(said, words);
         }
+    }
+
+    void anyNumberMayHaveItsUnit_data() {
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<QString>("bare"); // the same in the unit of the file
+        const auto row = [](const char *path, const char *value, const char *bare) {
+            QTest::addRow("%s=%s", path, value) << QString(value) << QString(bare);
+        };
+        row("tests[0].axis.travel", "500 mm", "500");
+        row("tests[0].axis.travel", "0,5 m", "500");
+        row("tests[0].axis.travel", "500\u00A0mm", "500");
+        row("tests[0].axis.travel", "20in", "508");
+        row("tests[0].targets[1]", "12 cm", "120");
+        row("tests[0].conditions.feed", "2000 mm/min", "2000");
+        row("tests[0].conditions.feed", "2 m/min", "2000");
+        row("tests[0].conditions.dwell", "3 s", "3");
+        row("tests[0].conditions.dwell", "500 ms", "0.5");
+        row("tests[0].conditions.sensors[0].start", "22.5 °C", "22.5");
+        row("tests[0].conditions.sensors[0].start", "22,5 C", "22.5");
+        row("tests[0].conditions.airPressure", "101.3 kPa", "1013");
+        row("tests[0].conditions.airPressure", "1013 mbar", "1013");
+        row("tests[0].conditions.airHumidity", "45 %", "45");
+        row("tests[0].conditions.gradientPerHour", "0.5 K/h", "0.5");
+        row("tests[0].conditions.gradientHoursBefore", "12 h", "12");
+        row("tests[0].conditions.toolOffset[2]", "15 cm", "150");
+        row("tests[0].conditions.expansion.machine", "11.5 µm/(m·°C)", "11.5");
+        row("tests[0].conditions.expansion.machine", "11.5 ppm/K", "11.5");
+        row("tests[0].duration", "2 h", "120");
+        row("tests[0].uncertainty.environmentalVariation", "3 um", "3");
+        row("tests[0].uncertainty.environmentalVariation", "0.003 mm", "3");
+        row("tests[0].uncertainty.device.perMetre", "1.5 µm/m", "1.5");
+        row("tests[0].uncertainty.misalignmentRange", "500 um", "0.5");
+        row("tests[0].uncertainty.temperatureRange.machine", "1 °C", "1");
+        row("tests[0].uncertainty.expanded.A", "2 µm", "2");
+        row("tests[1].nominalRadius", "0.15 m", "150");
+        row("tests[1].uncertainty.displacement.expanded", "700 nm", "0.7");
+        row("axis.travel", "600 mm", "600");
+    }
+    void anyNumberMayHaveItsUnit() {
+        QFETCH(const QString, value);
+        QFETCH(const QString, bare);
+        const std::string path = QString(QTest::currentDataTag()).section('=', 0, 0).toStdString();
+        Document document = ofEachKind();
+        if (path.starts_with("axis."))
+            document.tests.pop_back();
+        QCOMPARE(writeDocument(withField(document, path, value.toStdString())),
+                 writeDocument(withField(document, path, bare.toStdString())));
+    }
+
+    void everyNumberSaysItsUnit() {
+        Document document = ofEachKind();
+        Test drift;
+        drift.measurement = DriftMeasurement();
+        document.tests.push_back(std::make_shared<const Test>(std::move(drift)));
+        NumbersWithoutUnit numbers;
+        fields(numbers, document);
+        // Factors, and what has its unit beside it: rows of the sheet, imported results, agreed points.
+        QCOMPARE(numbers.keys(), (std::set<std::string>{"coverageFactor", "guardFactor", "measured",
+                                                        "uncertainty", "value"}));
+    }
+
+    void anAngleOfARotaryAxisHasItsUnit() {
+        const Document document = withField(ofEachKind(), "tests[0].axis.motion", "rotary");
+        const auto measured = [&](const char *path, const char *value) {
+            return std::get<PositioningMeasurement>(withField(document, path, value).tests[0]->measurement);
+        };
+        QCOMPARE(measured("tests[0].axis.travel", "180 °").axis.travel.value(), 180.0);
+        QCOMPARE(measured("tests[0].conditions.feed", "2 rpm").conditions.feed.value(), 720.0);
+        QCOMPARE(measured("tests[0].uncertainty.environmentalVariation", "2″")
+                     .uncertainty.environmentalVariation.value(),
+                 2.0);
+        QCOMPARE(
+            measured("tests[0].conditions.toolOffset[0]", "2 mm").conditions.common.toolOffset[0].value(),
+            2.0);
+    }
+
+    void aUnitThatDoesNotFitIsRefused_data() {
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<QString>("expected");
+        const auto row = [](const char *path, const char *value, const char *expected) {
+            QTest::addRow("%s=%s", path, value) << QString(value) << QString(expected);
+        };
+        row("tests[0].axis.travel", "500 s", "mm");
+        row("tests[0].axis.travel", "500 parsec", "mm");
+        row("tests[0].axis.travel", "180 deg", "mm");
+        row("tests[0].conditions.feed", "2000 mm", "mm/min");
+        row("tests[0].conditions.dwell", "3 mm", "s");
+        row("tests[0].conditions.sensors[0].start", "300 K", "°C");
+        row("tests[0].conditions.expansion.machine", "11.5 um", "µm/(m·°C)");
+        row("tests[0].conditions.airPressure", "1 atm", "hPa");
+        row("tests[0].conditions.airHumidity", "45 mm", "%");
+        row("tests[0].uncertainty.environmentalVariation", "3 arcsec", "um");
+        row("tests[0].uncertainty.device.perMetre", "1.5 mm", "um/m");
+        row("tests[0].duration", "2 mm", "min");
+    }
+    void aUnitThatDoesNotFitIsRefused() {
+        QFETCH(const QString, value);
+        QFETCH(const QString, expected);
+        const std::string path = QString(QTest::currentDataTag()).section('=', 0, 0).toStdString();
+        try {
+            (void)withField(ofEachKind(), path, value.toStdString());
+            QFAIL("taken");
+        } catch (const Error &error) {
+            QCOMPARE(error.message.text.source, "the unit of “%1” does not fit here; expected %2");
+            QCOMPARE(error.message.arguments,
+                     (std::vector<Argument>{value.toStdString(), expected.toStdString()}));
+        }
+    }
+
+    void aTextWithAUnitStaysAText() {
+        const Document changed = withField(ofEachKind(), "tests[0].conditions.soak", "12 h");
+        QCOMPARE(std::get<PositioningMeasurement>(changed.tests[0]->measurement).conditions.common.soak,
+                 std::string("12 h"));
     }
 
     void otherNumbersNeedNoUnit() {
