@@ -1829,7 +1829,7 @@
     </message>
     <message>
         <source>t of the progression of the runs</source>
-        <translation>t de la progression des séries</translation>
+        <translation>t de la progression des passes</translation>
     </message>
     <message>
         <source>Title of the report</source>
@@ -2530,8 +2530,12 @@
         <translation>texte trop long pour un fichier de ce type</translation>
     </message>
     <message>
-        <source>this is no whole XML (%1); the file was cut off or damaged</source>
-        <translation>le XML n’est pas complet (%1)&#x202f;; le fichier est tronqué ou endommagé</translation>
+        <source>the XML ends too early; the file was cut off</source>
+        <translation>le XML s’arrête trop tôt&#x202f;; le fichier est tronqué</translation>
+    </message>
+    <message>
+        <source>this is no XML from here on; the file is damaged</source>
+        <translation>ce n’est plus du XML à partir d’ici&#x202f;; le fichier est endommagé</translation>
     </message>
     <message>
         <source>“%1” is no direction of a run; expected CW or CCW</source>
@@ -4002,7 +4006,7 @@
     </message>
     <message>
         <source>Between the runs</source>
-        <translation>Entre les parcours</translation>
+        <translation>Entre les passes</translation>
     </message>
     <message>
         <source>instrument re-centred</source>
@@ -5276,7 +5280,7 @@
     </message>
     <message>
         <source>positioning: runs each way</source>
-        <translation>positioning&#xa0;: séries dans chaque sens</translation>
+        <translation>positioning&#xa0;: passes dans chaque sens</translation>
     </message>
     <message>
         <source>standard deviation of the noise, µm; without it 0</source>
@@ -8548,7 +8552,7 @@
     </message>
     <message>
         <source>expected the number of a run, from 1 to %1</source>
-        <translation>attendu&#xa0;: un numéro de parcours de 1 à %1</translation>
+        <translation>attendu&#xa0;: un numéro de passe de 1 à %1</translation>
     </message>
     <message>
         <source>expected the number of a target, from 1 to %1</source>
@@ -8844,7 +8848,7 @@
     </message>
     <message>
         <source>Order of the runs: nothing in the table says it; ↑ and ↓ are put in turn, the cycle stays not stated.</source>
-        <translation>Ordre des séries&#xa0;: rien dans le tableau ne l’indique&#x202f;; ↑ et ↓ sont lues en alternance, le cycle reste non indiqué.</translation>
+        <translation>Ordre des passes&#xa0;: rien dans le tableau ne l’indique&#x202f;; ↑ et ↓ sont lues en alternance, le cycle reste non indiqué.</translation>
     </message>
     <message>
         <source>Runs %1 and %2 were made in the same direction, one after the other: the stated cycle alternates.</source>
@@ -9008,7 +9012,7 @@
     </message>
     <message>
         <source>Layout: readings missing: %1 of %2; are these runs and targets those of one test?</source>
-        <translation>Disposition&#xa0;: relevés manquants&#xa0;: %1 sur %2&#x202f;; ces séries et ces points visés sont-ils ceux d’un même essai&#x202f;?</translation>
+        <translation>Disposition&#xa0;: relevés manquants&#xa0;: %1 sur %2&#x202f;; ces passes et ces points visés sont-ils ceux d’un même essai&#x202f;?</translation>
     </message>
     <message>
         <source>Sign: the file speaks of a correction, whose sign is that of target − actual; read as actual − target.</source>
@@ -9130,7 +9134,7 @@
     </message>
     <message>
         <source>E_VE, progression of the runs</source>
-        <translation>E_VE, progression des séries</translation>
+        <translation>E_VE, progression des passes</translation>
     </message>
     <message>
         <source>Largest difference</source>
@@ -10871,6 +10875,10 @@
     <message>
         <source>the unit of “%1” does not fit here; expected %2</source>
         <translation>l’unité de «&#xa0;%1&#xa0;» ne convient pas ici&#x202f;; attendu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 </TS>

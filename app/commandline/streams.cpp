@@ -130,11 +130,13 @@ QString timesOf(std::size_t times) {
     return times > 1 ? QStringLiteral(" (× %1)").arg(times) : QString();
 }
 
-std::string headingsOf(const std::vector<ImportColumn> &columns) {
+std::string headingsOf(const std::vector<ImportColumn> &columns, const Language &language) {
     std::string list;
     for (std::size_t c = 0; c < columns.size(); ++c)
-        list += (c > 0 ? ", " : "") + std::to_string(c + 1) +
-                (columns[c].heading.empty() ? std::string() : " “" + excerpt(columns[c].heading) + "”");
+        list +=
+            (c > 0 ? ", " : "") + std::to_string(c + 1) +
+            (columns[c].heading.empty() ? std::string()
+                                        : ' ' + language.quoted(excerpt(columns[c].heading)).toStdString());
     return list;
 }
 
@@ -218,7 +220,7 @@ Imported importedFrom(QByteArrayView bytes, const QString &file, const ImportOpt
             printError(file + QStringLiteral(": ") +
                        invocation.language.sentence(
                            {REPORT_TEXT("report", "Columns: %1. Roles as read: --set columns=%2; known: %3."),
-                            {headingsOf(imported.columns), wordOf(imported.columns), roleWords()}}));
+                            {headingsOf(imported.columns, invocation.language), wordOf(imported.columns), roleWords()}}));
         throw Error(*imported.refusal);
     }
     printRemarks(file, imported.remarks, invocation.language);

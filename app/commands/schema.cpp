@@ -18,8 +18,8 @@ int runSchema(const Invocation &invocation) {
         std::vector<HelpRow> rows;
         for (const JsonFormat &row : jsonFormats())
             rows.push_back({QString::fromUtf8(row.name),
-                            QStringLiteral("“%1”, %2 · %3")
-                                .arg(QString::fromUtf8(row.format), QString::number(row.version),
+                            QStringLiteral("%1, %2 · %3")
+                                .arg(invocation.language.quoted(row.format), QString::number(row.version),
                                      QString::fromUtf8(row.command))});
         printOut(inColumns(rows, textColumns()));
         return done;

@@ -127,6 +127,18 @@ QString Language::sentence(const Message &message) const {
     return result;
 }
 
+QString Language::designation(const std::string &word) const {
+    const QString whole = QString::fromStdString(word);
+    const QString iso = QStringLiteral("ISO ");
+    return whole.startsWith(iso) ? sentence(REPORT_TEXT_FOR("report", "ISO %1", "after a preposition"),
+                                            {whole.mid(iso.size()).toStdString()})
+                                 : whole;
+}
+
+QString Language::quoted(const std::string &text) const {
+    return sentence(REPORT_TEXT("report", "“%1”"), {text});
+}
+
 QString Language::argument(const Argument &argument) const {
     if (const auto *number = std::get_if<Number>(&argument))
         return quantity(number->value, number->quantity, number->decimals);
@@ -134,6 +146,8 @@ QString Language::argument(const Argument &argument) const {
         return text(*word);
     if (const auto *day = std::get_if<Date>(&argument))
         return date(day->iso);
+    if (const auto *standard = std::get_if<Designation>(&argument))
+        return designation(standard->word);
     return visibleText(QString::fromStdString(std::get<std::string>(argument)));
 }
 

@@ -67,6 +67,10 @@ public:
     [[nodiscard]] QString quantity(double value, Quantity quantity, int decimals = -1) const;
     /// Returns "µm", "mm", "″", …; empty for a number without unit.
     [[nodiscard]] QString unit(Quantity quantity) const;
+    /// Returns a standard after a preposition: "ISO 230-2:2006", "l’ISO 230-2:2006".
+    [[nodiscard]] QString designation(const std::string &word) const;
+    /// Returns a text in the quotation marks of the language.
+    [[nodiscard]] QString quoted(const std::string &text) const;
     /// Returns "20 novembre 2026", "20 November 2026"; a dash if empty. `iso` is YYYY-MM-DD; other texts are
     /// returned unchanged.
     [[nodiscard]] QString date(const std::string &iso) const;

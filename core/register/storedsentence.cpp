@@ -30,6 +30,8 @@ QString stored(const Argument &argument) {
         return QStringLiteral("t") + clean(text->source) + inner + clean(text->comment);
     if (const auto *date = std::get_if<Date>(&argument))
         return QStringLiteral("d") + clean(date->iso);
+    if (const auto *standard = std::get_if<Designation>(&argument))
+        return QStringLiteral("e") + clean(standard->word);
     return QStringLiteral("s") + clean(std::get<std::string>(argument));
 }
 
@@ -57,6 +59,8 @@ Argument argumentFrom(const QString &stored, Texts &texts) {
         return texts.text(parts.value(0), parts.value(1));
     case 'd':
         return Date{parts.value(0).toStdString()};
+    case 'e':
+        return Designation{parts.value(0).toStdString()};
     default:
         return parts.value(0).toStdString();
     }

@@ -43,6 +43,7 @@ private slots:
     void importsFilesIntoOneDocument();
     void takesChoicesAndProfiles();
     void refusesUntilQuestionsAreAnswered();
+    void quotesInTheLanguage();
     void refusesInOneLineAndWritesNothing();
     void readsMeasurementFilesWhereverFilesStand();
     void exportsEveryForm_data();
@@ -158,6 +159,15 @@ void ImportExportTest::refusesUntilQuestionsAreAnswered() {
         QCOMPARE(run(command, table).code, 3);
         QVERIFY(run(command + QStringList{"--accept"}, table).code < 2);
     }
+}
+
+void ImportExportTest::quotesInTheLanguage() {
+    const Result refused = run({"import", "-", "-o", at("f.palmer"), "--language", "fr"},
+                               "Position (mm);Position (mm)\n0;1\n100;2\n");
+    QVERIFY2(refused.err.contains(QString("1 «\u00a0Position (mm)\u00a0»")), qPrintable(refused.err));
+    QVERIFY(!refused.err.contains("“"));
+    const Result schema = run({"schema", "--language", "fr"});
+    QVERIFY(schema.out.contains("«\u00a0palmer results\u00a0»") && !schema.out.contains("“"));
 }
 
 void ImportExportTest::refusesInOneLineAndWritesNothing() {

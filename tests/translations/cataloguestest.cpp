@@ -89,6 +89,8 @@ QString fault(const QString &text) {
         {QRegularExpression("  |^ | $"), "a space too many"},
         {QRegularExpression("\\.\\.\\."), "three points instead of …"},
         {QRegularExpression("[0-9] ?(µm|mm|°C|%(?![1-9n]))"), "a unit without its no-break space"},
+        {QRegularExpression("\\b(selon|sous|pour|de|par|d’après)[ \u00A0]ISO"),
+         "a standard without its article"},
     };
     for (const auto &[rule, meaning] : rules)
         if (rule.match(text).hasMatch())

@@ -127,8 +127,9 @@ private:
         }
         if (m_xml.hasError())
             refuseAsAt(Error::Kind::syntax, place(),
-                       REPORT_TEXT("report", "this is no whole XML (%1); the file was cut off or damaged"),
-                       m_xml.errorString().toStdString());
+                       m_xml.error() == QXmlStreamReader::PrematureEndOfDocumentError
+                           ? REPORT_TEXT("report", "the XML ends too early; the file was cut off")
+                           : REPORT_TEXT("report", "this is no XML from here on; the file is damaged"));
     }
 
     void begin() {

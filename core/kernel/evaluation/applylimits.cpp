@@ -107,11 +107,11 @@ Message noVerdict(const std::string &id, const Limit &limit, NotEvaluable reason
     case NotEvaluable::otherEdition:
         return {REPORT_TEXT("report", "The limit of %1 has no verdict: it was agreed for %2, the test is "
                                       "evaluated under %3."),
-                {id, *limit.edition, std::string(edition)}};
+                {id, Designation{*limit.edition}, Designation{edition}}};
     case NotEvaluable::noSuchParameter:
         return {REPORT_TEXT("report",
                             "The limit of %1 has no verdict: this test has no such parameter under %2."),
-                {id, std::string(edition)}};
+                {id, Designation{edition}}};
     default:
         return {REPORT_TEXT("report", "The limit of %1 cannot be evaluated: %2."),
                 {id, notEvaluableText(reason)}};

@@ -35,8 +35,15 @@ struct Date {
     bool operator==(const Date &) const = default;
 };
 
-/// A number, a catalogue word, a name that is the same in every language (UTF-8), or a date.
-using Argument = std::variant<Number, Text, std::string, Date>;
+/// The designation of a standard after a preposition: "ISO 230-2:2006", in French with its article.
+struct Designation {
+    std::string word;
+
+    bool operator==(const Designation &) const = default;
+};
+
+/// A number, a catalogue word, a name that is the same in every language (UTF-8), a date, or a standard.
+using Argument = std::variant<Number, Text, std::string, Date, Designation>;
 
 /// The one carrier of sentences: findings, remarks and errors hold one; Language::sentence makes the text.
 /// `%1` … `%9` in the text are replaced by the arguments, `%n` by `count`, which also selects the plural.

@@ -71,12 +71,7 @@ QString clauseText(const std::string &clause, const Language &language) {
 }
 
 QString standardName(const Language &language, const Edition *edition) {
-    QString word = edition ? QString::fromUtf8(edition->word) : QString();
-    const QLatin1String iso("ISO ");
-    if (!word.startsWith(iso))
-        return word;
-    return language.sentence(REPORT_TEXT_FOR("report", "ISO %1", "after a preposition"),
-                             {word.mid(iso.size()).toStdString()});
+    return edition ? language.designation(edition->word) : QString();
 }
 
 Text senseText(Sense sense) {

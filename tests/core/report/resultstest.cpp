@@ -41,6 +41,7 @@ private slots:
     void fitsATerminal();
     void saysWhatIsStandInIn1988();
     void lettersAreThoseOfTheEdition();
+    void standardsHaveTheirArticleInFrench();
     void titlesATestByItsTitleElseItsKind();
     void titlesAStepCycleNotAgreed();
     void saysNotCorrected();
@@ -88,6 +89,17 @@ void ResultsTest::lettersAreThoseOfTheEdition() {
     QVERIFY(!of1988.contains("Targets i") && !of1988.contains("(j = "));
     const QString of2006 = setAside("ISO 230-2:2006");
     QVERIFY2(of2006.contains("Targets i") && of2006.contains("(j = 1)"), qPrintable(of2006));
+}
+
+void ResultsTest::standardsHaveTheirArticleInFrench() {
+    QString text = resultsText(changed(example("iso230-2-1988-example"),
+                                       [](Test &test, PositioningMeasurement &) {
+                                           test.limits["A"] = {0.02, "ISO 230-2:2006", ""};
+                                       }),
+                               Language::Id::french);
+    text.replace(QRegularExpression("\\s+"), " ");
+    QVERIFY2(text.contains("convenue pour l’ISO 230-2:2006, l’essai est évalué selon l’ISO 230-2:1988"),
+             qPrintable(text));
 }
 
 void ResultsTest::titlesATestByItsTitleElseItsKind() {

@@ -58,6 +58,10 @@ void Findings::limitsOfOtherEditions() {
     QVERIFY(parameter(e, "E")->verdict == Verdict::conforms); // an alias counts as the edition
     QVERIFY(e.verdict == Verdict::notProven);                 // A was agreed, and nothing is known of it
     QVERIFY(e.limits.at(0).reason == NotEvaluable::otherEdition);
+    const auto &arguments = finding(e, "limits")->message.arguments; // each language adds its article
+    QVERIFY(arguments.at(1) == Argument(Designation{"ISO 230-2:1988"}));
+    QVERIFY(arguments.at(2) == Argument(Designation{"ISO 230-2:2006"}));
+    QVERIFY(e.limits.at(1).state == LimitState::respected);
 }
 
 void Findings::everyLimitHasAState_data() {

@@ -23,6 +23,8 @@ inline QByteArray written(const Message &message) {
             words << (number->decimals < 0 ? word : word + '.' + QByteArray::number(number->decimals));
         } else if (const auto *text = std::get_if<Text>(&argument)) {
             words << text->source;
+        } else if (const auto *standard = std::get_if<Designation>(&argument)) {
+            words << QByteArray::fromStdString(standard->word);
         } else {
             words << QByteArray::fromStdString(std::get<std::string>(argument));
         }
