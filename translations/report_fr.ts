@@ -10877,6 +10877,10 @@
         <translation>l’unité de «&#xa0;%1&#xa0;» ne convient pas ici&#x202f;; attendu&#xa0;: %2</translation>
     </message>
     <message>
+        <source>Edition: nothing in the file says it; %1 is taken.</source>
+        <translation>Édition&#xa0;: rien ne le dit dans le fichier&#x202f;; %1 est retenue.</translation>
+    </message>
+    <message>
         <source>“%1”</source>
         <translation>«&#xa0;%1&#xa0;»</translation>
     </message>

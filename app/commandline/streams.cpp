@@ -144,19 +144,12 @@ void printQuestion(const QString &file, const Question &question, const Language
     QString text = placeOf(file, question.line, question.column) + language.sentence(question.sentence) +
                    timesOf(question.further.size() + 1);
     std::string answers;
-    for (const std::string &answer : question.answers)
+    for (const std::string &answer : answersOf(question))
         answers += (answers.empty() ? "" : ", ") + answer;
-    if (const ImportKey *known = findImportKey(question.id); known && answers.empty()) {
-        for (const ImportWord &word : known->words)
-            answers += (answers.empty() ? "" : ", ") + std::string(word.word);
-    }
     if (!question.proposal.empty() && !question.canBeAssumed()) {
         text += u' ' + language.sentence({REPORT_TEXT("report", "Doubtful; where what was read is right: "
                                                                 "--set %1."),
                                           {question.id + "=keep"}});
-        const ImportKey *known = findImportKey(question.id);
-        if (question.proposal != keepAnswer && known && known->words.empty() && question.answers.empty())
-            answers = question.proposal + (answers.empty() ? "" : ", " + answers);
     } else if (!question.proposal.empty()) {
         const std::string setting = question.id + '=' + question.proposal;
         const bool hasBlank = setting.find(' ') != std::string::npos; // quoted for the shell
@@ -178,6 +171,20 @@ void printRemarks(const QString &file, const std::vector<Remark> &remarks, const
         printError(placeOf(file, remark.line, remark.column) + language.sentence(remark.message) +
                    timesOf(remark.times));
 }
+
+namespace {
+
+/// Says which edition the program took for a file that names none.
+void printDefaults(const QString &file, const std::vector<ImportChoice> &choices, const Language &language) {
+    const auto edition = std::ranges::find(choices, std::string("edition"), &ImportChoice::key);
+    if (edition != choices.end() && edition->origin == Origin::guessed)
+        printError(
+            placeOf(file, 0, 0) +
+            language.sentence({REPORT_TEXT("report", "Edition: nothing in the file says it; %1 is taken."),
+                               {Designation{edition->value}}}));
+}
+
+} // namespace
 
 ImportOptions chosenOptions(const Invocation &invocation) {
     ImportOptions chosen;
@@ -220,10 +227,12 @@ Imported importedFrom(QByteArrayView bytes, const QString &file, const ImportOpt
             printError(file + QStringLiteral(": ") +
                        invocation.language.sentence(
                            {REPORT_TEXT("report", "Columns: %1. Roles as read: --set columns=%2; known: %3."),
-                            {headingsOf(imported.columns, invocation.language), wordOf(imported.columns), roleWords()}}));
+                            {headingsOf(imported.columns, invocation.language), wordOf(imported.columns),
+                             roleWords()}}));
         throw Error(*imported.refusal);
     }
     printRemarks(file, imported.remarks, invocation.language);
+    printDefaults(file, imported.choices, invocation.language);
     for (const Question &question : imported.questions) {
         if (!invocation.has("accept") || !question.canBeAssumed())
             printQuestion(file, question, invocation.language);

@@ -82,7 +82,7 @@ Json toJson(const ImportAnswer &answer, const Language &language) {
              {"grade", inOrder(question.grade, {"doubtful", "assumed"})},
              {"text", language.sentence(question.sentence).toStdString()},
              {"proposal", question.proposal.empty() ? Json(nullptr) : Json(question.proposal)},
-             {"answers", question.answers},
+             {"answers", answersOf(question)},
              {"line", place(question.line)},
              {"column", place(question.column)},
              {"open", !(answer.accepted && question.canBeAssumed())}});

@@ -257,8 +257,9 @@ Choice<double> Choices::resolveNumber(std::string_view key, double found, Origin
 
 std::string Choices::resolveEdition(Kind kind, const Edition *stated) {
     const bool isUsed = stated && stated->kind == kind;
-    std::string chosen =
-        resolve("edition", isUsed ? stated->word : defaultEdition(kind).word, Origin::recognised).value;
+    std::string chosen = resolve("edition", isUsed ? stated->word : defaultEdition(kind).word,
+                                 isUsed ? Origin::recognised : Origin::guessed)
+                             .value;
     const Edition *edition = findEdition(chosen);
     if (!edition || edition->kind != kind) {
         refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), nameOfChoice("edition"), chosen,

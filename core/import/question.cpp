@@ -57,6 +57,19 @@ void joinRemarks(Remarks &remarks) {
     remarks = std::move(joined);
 }
 
+std::vector<std::string> answersOf(const Question &question) {
+    std::vector<std::string> answers = question.answers;
+    const ImportKey *known = findImportKey(question.id);
+    if (known && answers.empty()) {
+        for (const ImportWord &word : known->words)
+            answers.emplace_back(word.word);
+    }
+    const bool isDoubtful = !question.proposal.empty() && !question.canBeAssumed();
+    if (isDoubtful && question.proposal != keepAnswer && known && answers.empty())
+        answers.push_back(question.proposal);
+    return answers;
+}
+
 std::vector<Question> takeQuestions(Remarks &remarks, const ImportOptions &options,
                                     std::span<const ImportChoice> choices) {
     std::vector<Question> questions;

@@ -39,6 +39,10 @@ struct Question {
     bool operator==(const Question &) const = default;
 };
 
+/// Returns the words that answer a question: its own, those of its choice, or what is proposed for a doubtful
+/// one without either. Empty if any value may answer.
+[[nodiscard]] std::vector<std::string> answersOf(const Question &question);
+
 /// Extracts the questions from the remarks: those about a choice that changes numbers and was only guessed,
 /// and those about data that were not read. Repeated ones are merged, with the further lines.
 [[nodiscard]] std::vector<Question> takeQuestions(Remarks &remarks, const ImportOptions &options,

@@ -43,6 +43,7 @@ private slots:
     void importsFilesIntoOneDocument();
     void takesChoicesAndProfiles();
     void refusesUntilQuestionsAreAnswered();
+    void saysWhatItTookAndWhatAnswers();
     void quotesInTheLanguage();
     void refusesInOneLineAndWritesNothing();
     void readsMeasurementFilesWhereverFilesStand();
@@ -159,6 +160,35 @@ void ImportExportTest::refusesUntilQuestionsAreAnswered() {
         QCOMPARE(run(command, table).code, 3);
         QVERIFY(run(command + QStringList{"--accept"}, table).code < 2);
     }
+}
+
+void ImportExportTest::saysWhatItTookAndWhatAnswers() {
+    const QByteArray table = "target (mm),dir,run,deviation (um)\n0,1,1,1\n100,1,1,2\n100,0,1,3\n0,0,1,2\n";
+    const QStringList import{"import", "-", "-o", at("e.palmer"), "--json"};
+    const Result result = run(import, table);
+    const QJsonValue file = QJsonDocument::fromJson(result.out.toUtf8())["files"][0];
+    QCOMPARE(file["choices"]["edition"]["value"].toString(), "ISO 230-2:2014");
+    QCOMPARE(file["choices"]["edition"]["origin"].toString(), "guessed");
+    QVERIFY2(result.err.contains("Edition: nothing in the file says it; ISO 230-2:2014 is taken."),
+             qPrintable(result.err));
+    QVERIFY(
+        run(import + QStringList{"--language", "fr"}, table).err.contains("l’ISO 230-2:2014 est retenue"));
+    // The same answers in JSON and on the terminal.
+    QVERIFY(!file["questions"].toArray().isEmpty());
+    for (const QJsonValue &question : file["questions"].toArray()) {
+        QStringList answers;
+        for (const QJsonValue &answer : question["answers"].toArray())
+            answers << answer.toString();
+        QVERIFY(answers.size() > 1);
+        const QString line =
+            QString("Answers for --set %1=…: %2.").arg(question["key"].toString(), answers.join(", "));
+        QVERIFY2(result.err.contains(line), qPrintable(line));
+    }
+    const Result chosen = run(import + QStringList{"--set", "edition=ISO 230-2:2006"}, table);
+    QCOMPARE(
+        QJsonDocument::fromJson(chosen.out.toUtf8())["files"][0]["choices"]["edition"]["origin"].toString(),
+        "chosen");
+    QVERIFY(!chosen.err.contains("Edition: nothing"));
 }
 
 void ImportExportTest::quotesInTheLanguage() {
