@@ -8354,6 +8354,14 @@
         <translation>Disposition&#xa0;: le bloc qui commence ici ne dit pas quelles passes il contient&#x202f;; il est lu comme d’autres passes du même essai.</translation>
     </message>
     <message>
+        <source>Unit: “%1” does not say to which columns it belongs; say the unit of the readings.</source>
+        <translation>Unité&#xa0;: «&#xa0;%1&#xa0;» ne dit pas à quelles colonnes ces unités appartiennent&#x202f;; indiquer l’unité des relevés.</translation>
+    </message>
+    <message>
+        <source>Directions: “%1” names some, but is not read as the headings of the columns.</source>
+        <translation>Sens&#xa0;: «&#xa0;%1&#xa0;» en nomme, mais n’est pas lu comme en-têtes des colonnes.</translation>
+    </message>
+    <message>
         <source>Columns: “%1” is headed as readings, but holds words; it is not read.</source>
         <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» annonce des relevés, mais contient des mots&#x202f;; elle n’est pas lue.</translation>
     </message>

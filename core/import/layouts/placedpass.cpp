@@ -116,6 +116,43 @@ std::string targetHeadingWithDirection(const TableReading &reading) {
     return {};
 }
 
+/// A row above the numbers that is none of their headings, but names two directions. Null if there is none.
+std::optional<std::uint32_t> unusedDirections(const TableReading &reading) {
+    const auto names = [&](const TableCell &cell) {
+        const HeadingWords words = readHeading(reading.table().text(cell));
+        return words.direction && words.unknownWords == 0;
+    };
+    for (const TableBlock &block : reading.body.blocks) {
+        for (const std::uint32_t head : reading.titlesOf(block)) {
+            if (!reading.row(head).comment &&
+                std::ranges::count_if(reading.table().cells(reading.row(head)), names) >= 2)
+                return head;
+        }
+    }
+    return {};
+}
+
+void askForDirections(std::string_view word, const FoundPasses &found, TableReading &reading) {
+    const bool stated = word == "stated";
+    const std::string straying = stated ? std::string() : targetHeadingWithDirection(reading);
+    const auto unused = stated ? std::nullopt : unusedDirections(reading);
+    if (!straying.empty())
+        reading.remarks.problem("directions",
+                                REPORT_TEXT("report", "Directions: only “%1”, the heading of the targets, "
+                                                      "names one."),
+                                excerpt(straying));
+    else if (unused)
+        reading.remarks.problem({"directions", reading.row(*unused).line},
+                                REPORT_TEXT("report", "Directions: “%1” names some, but is not read as the "
+                                                      "headings of the columns."),
+                                excerpt(withoutBlanks(reading.textOf(*unused))));
+    else
+        // A machine's direction of rotation depends on the side it is seen from.
+        reading.remarks.add(isPlain(word, found.passes) && !found.hasSenses ? RemarkGrade::assumption
+                                                                            : RemarkGrade::problem,
+                            "directions", questionFor(word, found, reading.body.opposite));
+}
+
 } // namespace
 
 void resolveDirections(FoundPasses &found, TableReading &reading) {
@@ -131,17 +168,8 @@ void resolveDirections(FoundPasses &found, TableReading &reading) {
         for (std::size_t j = 0; j < passes.size(); ++j)
             passes[j].direction = directionUnder(choice.value, j, passes.size());
     }
-    const std::string straying = stated ? std::string() : targetHeadingWithDirection(reading);
-    if (choice.origin == Origin::guessed && !straying.empty())
-        reading.remarks.problem("directions",
-                                REPORT_TEXT("report", "Directions: only “%1”, the heading of the targets, "
-                                                      "names one."),
-                                excerpt(straying));
-    else if (choice.origin == Origin::guessed)
-        // A machine's direction of rotation depends on the side it is seen from.
-        reading.remarks.add(isPlain(choice.value, passes) && !found.hasSenses ? RemarkGrade::assumption
-                                                                              : RemarkGrade::problem,
-                            "directions", questionFor(choice.value, found, reading.body.opposite));
+    if (choice.origin == Origin::guessed)
+        askForDirections(choice.value, found, reading);
 }
 
 std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading) {

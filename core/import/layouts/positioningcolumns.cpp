@@ -89,6 +89,21 @@ bool marksReadings(const ColumnSearch &search, std::size_t c) {
            std::ranges::adjacent_find(cells, std::ranges::not_equal_to()) != cells.end();
 }
 
+/// True if the lowest row of the headings names run, direction and unit as those of the readings do, whatever
+/// the rows above say; not below "Mean".
+bool isHeadedAsRun(const ColumnSearch &search, std::size_t c) {
+    const TableColumn &head = search.reading.body.columns[c];
+    const HeadingWords own = readHeading(head.own);
+    const auto hasSameUnit = [&](std::size_t other) {
+        return saidUnit(search.reading.body.columns[other].own) == saidUnit(head.own);
+    };
+    return head.kind == ColumnKind::numbers && own.number && own.direction &&
+           isOneOf(own.meaning, {Meaning::unknown, Meaning::run, Meaning::deviation, Meaning::reading,
+                                 Meaning::actual, Meaning::direction}) &&
+           std::ranges::any_of(search.result.values, hasSameUnit) &&
+           readHeading(head.group).meaning != Meaning::statistic;
+}
+
 /// True if an unread column has a heading or position typical of readings.
 bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
     const TableColumn &head = search.reading.body.columns[c];
@@ -96,7 +111,7 @@ bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
     const bool isOfAxis = axis.empty() || head.words.axis == 0 || head.words.axis == axis[0];
     const bool isOfOtherState =
         head.words.state != TestRole::notStated && head.words.state != search.reading.stateFound;
-    if (isOfAxis && !isOfOtherState && isUnreadable(search, c))
+    if (isOfAxis && !isOfOtherState && (isUnreadable(search, c) || isHeadedAsRun(search, c)))
         return true;
     if (head.kind != ColumnKind::numbers || search.result.columns[c].role != ColumnRole::ignored ||
         !isOfAxis || isOfOtherState ||

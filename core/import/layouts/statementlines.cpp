@@ -3,12 +3,19 @@
 #include "import/layouts/tablebody.h"
 
 #include "import/filenotes.h"
+#include "import/layouts/conditionwords.h"
 #include "import/layouts/phrases.h"
+#include "import/layouts/sections.h"
+#include "kernel/words/characters.h"
+#include "tables/dates.h"
 #include "tables/folded.h"
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace palmer {
@@ -91,14 +98,46 @@ bool isCount(std::string_view label) {
     return std::ranges::any_of(beginnings, [&](std::string_view each) { return text.starts_with(each); });
 }
 
-/// True if a text distinguishes columns or blocks: "Run 1", "Target", "↑", "As found".
-bool tellsReadings(std::string_view text) {
-    const HeadingWords words = readHeading(text);
-    constexpr std::array readings{Meaning::target,  Meaning::place,     Meaning::actual, Meaning::deviation,
-                                  Meaning::reading, Meaning::direction, Meaning::run,    Meaning::angle,
-                                  Meaning::radius,  Meaning::time,      Meaning::x,      Meaning::y};
-    return words.direction || words.hint || directionOf(text) || words.state != TestRole::notStated ||
-           std::ranges::find(readings, words.meaning) != readings.end();
+/// A number with a unit, in one cell or two, or a date.
+bool isQuantity(std::string_view value, std::string_view next) {
+    constexpr std::array<std::string_view, 14> others{"hPa", "mbar", "Pa",  "kPa", "bar", "mmHg",   "%rH",
+                                                      "%RH", "kg",   "rpm", "kW",  "V",   "mm/min", "m/min"};
+    const LeadingNumber number = leadingNumber(value, decimalMarkIn(value));
+    const std::string_view rest = withoutBlanks(value.substr(number.size));
+    const std::string_view unit = next.empty() ? rest : next;
+    const bool isUnit = unitIn('(' + std::string(unit) + ')') != nullptr || unit.starts_with('%') ||
+                        std::ranges::find(others, unit) != others.end();
+    return number.size > 0 && isUnit && (next.empty() || rest.empty());
+}
+
+bool couldBeLabel(std::string_view text) {
+    return !text.empty() && !isDigit(text.front()) && !unitIn(text);
+}
+
+/// The name of a condition: a time of day is no reading, a run is no condition.
+bool namesCondition(std::string_view text) {
+    return conditionNamed(text) ||
+           (couldBeLabel(text) && (readHeading(text).meaning == Meaning::time || !tellsReadings(text)));
+}
+
+/// The number of texts that are one label with its value, from the first on; 0 if there is none.
+std::size_t statementAt(std::span<const std::string_view> texts) {
+    const std::string_view label = texts.front();
+    if (!namesCondition(label.substr(0, label.find_first_of(":="))))
+        return 0;
+    const std::size_t sign = label.find_first_of(":=");
+    if (sign < label.size() - 1) // "Machine: DMU 50" in one cell
+        return 1;
+    if (texts.size() < 2)
+        return 0;
+    const std::string_view value = texts[1];
+    if (texts.size() > 2 && isQuantity(value, texts[2]))
+        return 3;
+    const bool isName = conditionNamed(label) && !conditionNamed(value) && !tellsReadings(value);
+    const bool isLetter = value.size() == 1 && readHeading(label).meaning == Meaning::axis;
+    const bool isValue = sign != std::string_view::npos || isName || isLetter || isDate(value) ||
+                         clockTime(value) || numberIn(value) || isQuantity(value, {});
+    return isValue ? 2 : 0;
 }
 
 class Preface {
@@ -187,6 +226,38 @@ private:
 };
 
 } // namespace
+
+/// True if a text distinguishes columns or blocks: "Run 1", "Target", "↑", "As found".
+bool tellsReadings(std::string_view text) {
+    const HeadingWords words = readHeading(text);
+    constexpr std::array readings{Meaning::target,  Meaning::place,     Meaning::actual, Meaning::deviation,
+                                  Meaning::reading, Meaning::direction, Meaning::run,    Meaning::angle,
+                                  Meaning::radius,  Meaning::time,      Meaning::x,      Meaning::y};
+    return words.direction || words.hint || directionOf(text) || words.state != TestRole::notStated ||
+           std::ranges::find(readings, words.meaning) != readings.end();
+}
+
+bool isRowOfStatements(const CellTable &table, const TableRow &row) {
+    std::vector<std::string_view> texts;
+    for (const TableCell &cell : table.cells(row)) {
+        if (cell.kind != CellKind::empty)
+            texts.push_back(table.text(cell));
+    }
+    if (texts.size() < 2)
+        return false;
+    if (texts.size() <= 3 && couldBeLabel(texts[0]) &&
+        (texts.size() == 2 ? isDate(texts[1]) || isQuantity(texts[1], {}) : isQuantity(texts[1], texts[2])))
+        return true;
+    std::set<std::string> labels; // a label twice heads two columns
+    std::size_t taken = 0;
+    while (taken < texts.size()) {
+        const std::size_t size = statementAt(std::span(texts).subspan(taken));
+        if (size == 0 || !labels.insert(folded(texts[taken])).second)
+            return false;
+        taken += size;
+    }
+    return labels.size() > 1;
+}
 
 void setStatementsAside(CellTable &table) {
     constexpr std::size_t mostLines = 300; // above the table

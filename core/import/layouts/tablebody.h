@@ -24,6 +24,7 @@ struct TableColumn {
     ColumnKind kind = ColumnKind::empty;
     std::string heading; ///< all heading rows joined
     std::string group;   ///< the part of the heading above several columns
+    std::string own;     ///< the lowest heading row, but for a row of units
     HeadingWords words;  ///< meaning of the heading
     Meaning meaning = Meaning::unknown;
     const Unit *unit = nullptr; ///< of the heading; may be null
@@ -119,6 +120,12 @@ void findSections(const CellTable &table, TableBody &body);
 
 /// "Tolerance; 8; 8; 8": a label of computed or required values, with numbers.
 [[nodiscard]] bool isComputedRow(const CellTable &table, const TableRow &row);
+
+/// "Axis; X; Feed; 2000 mm/min", "Temperature; 20.3; °C", "Date; 12/03/2024": labels, each with its value.
+[[nodiscard]] bool isRowOfStatements(const CellTable &table, const TableRow &row);
+
+/// True if a text distinguishes columns or blocks: "Run 1", "Target", "↑", "As found".
+[[nodiscard]] bool tellsReadings(std::string_view text);
 
 /// Makes comments of the lines above the first table and an empty line if they do not describe columns: "Air
 /// temperature; 20.1; 20.3", "Travel; 0; 500", "Machine: DMU 50". They are read as notes and do not affect

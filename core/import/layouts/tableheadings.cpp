@@ -25,28 +25,6 @@ bool namesRuns(const HeadingWords &heading) {
                                  (heading.hint || (heading.meaning == Meaning::run && heading.number)));
 }
 
-/// "Temperature; 20.3 °C", "Temperature; 20.3; °C", "Date; 12/03/2024": a label with its value.
-bool isLabelWithValue(const CellTable &table, const TableRow &row) {
-    std::vector<std::string_view> texts;
-    for (const TableCell &cell : table.cells(row)) {
-        if (cell.kind != CellKind::empty)
-            texts.push_back(table.text(cell));
-    }
-    if (texts.size() < 2 || texts.size() > 3 || texts[0].empty() || isDigit(texts[0].front()) ||
-        unitIn(texts[0]))
-        return false;
-    if (texts.size() == 2 && isDate(texts[1]))
-        return true;
-    const LeadingNumber number = leadingNumber(texts[1], decimalMarkIn(texts[1]));
-    const std::string_view rest = withoutBlanks(texts[1].substr(number.size));
-    const std::string_view unit = texts.size() == 2 ? rest : texts[2];
-    constexpr std::array<std::string_view, 14> others{"hPa", "mbar", "Pa",  "kPa", "bar", "mmHg",   "%rH",
-                                                      "%RH", "kg",   "rpm", "kW",  "V",   "mm/min", "m/min"};
-    const bool isUnit = unitIn('(' + std::string(unit) + ')') != nullptr || unit.starts_with('%') ||
-                        std::ranges::find(others, unit) != others.end();
-    return number.size > 0 && isUnit && (texts.size() == 2 || rest.empty());
-}
-
 /// A line with a single text between headings and body: "* door opened". It does not hide the heading.
 bool isLoneText(const CellTable &table, const TableRow &row) {
     const auto cells = trimmed(table.cells(row));
@@ -55,7 +33,7 @@ bool isLoneText(const CellTable &table, const TableRow &row) {
 
 /// True if a row above the body describes its columns.
 bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
-    if (row.comment || isComputedRow(table, row) || isLabelWithValue(table, row))
+    if (row.comment || isComputedRow(table, row) || isRowOfStatements(table, row))
         return false;
     const auto cells = trimmed(table.cells(row));
     std::size_t filled = 0;
@@ -165,6 +143,13 @@ bool isUnitInBrackets(std::string_view text) {
     return !saysUnit(text) && saysUnit('(' + std::string(text) + ')');
 }
 
+/// A unit and nothing else.
+bool isBareUnit(std::string_view text) {
+    const HeadingWords heading = readHeading(text);
+    return saysUnit(text) && heading.meaning == Meaning::unknown && !heading.direction && !heading.hint &&
+           !heading.number && heading.unknownWords == 0 && heading.words <= 1;
+}
+
 /// "div" below a heading, where the word beside it is a unit.
 bool couldBeUnit(std::string_view text) {
     return !wordInBrackets("of (" + std::string(text) + ')').empty();
@@ -173,12 +158,7 @@ bool couldBeUnit(std::string_view text) {
 /// True for a heading row of units, in which a dash means none. "in;div;div": a word that is a unit in such a
 /// row alone, above words that are nothing else.
 bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
-    const auto isUnit = [&](const TableCell &cell) {
-        const std::string_view text = table.text(cell);
-        const HeadingWords heading = readHeading(text);
-        return saysUnit(text) && heading.meaning == Meaning::unknown && !heading.direction && !heading.hint &&
-               !heading.number && heading.unknownWords == 0 && heading.words <= 1;
-    };
+    const auto isUnit = [&](const TableCell &cell) { return isBareUnit(table.text(cell)); };
     if (std::ranges::any_of(cells, isUnit))
         return true;
     const auto isUnitHere = [&](const TableCell &cell) { return isUnitInBrackets(table.text(cell)); };
@@ -215,37 +195,126 @@ bool takeFromProperties(const CellTable &table, const TableBlock &block, std::ve
 }
 
 /// The rows directly above a block that are its column headings, from top to bottom.
-std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBlock &block,
-                                         const std::vector<TableColumn> &all) {
-    std::size_t width = 0; // of this block, which may be narrower than the file's widest
-    for (const std::uint32_t row : block.rows)
-        width = std::max<std::size_t>(width, table.rows()[row].count);
-    const auto columns = std::span(all).first(std::min(width, all.size()));
+struct HeadingRows {
     std::vector<std::uint32_t> rows;
-    bool complete = false;
-    for (auto at = block.heads.rbegin(); at != block.heads.rend() && rows.size() < headingRows; ++at) {
-        const TableRow &row = table.rows()[*at];
-        if (rows.empty() &&
-            (row.comment || isComputedRow(table, row) || (columns.size() > 2 && isLoneText(table, row))))
-            continue; // the block's title
-        // Run numbers are below what they number: "Forward;;Reverse;" above "1;2;1;2".
-        const bool isGroup = !rows.empty() && isGroupRow(table, row, columns.size());
-        if (*at != block.numericHead && !isGroup && !isHeading(table, row, columns.size()))
-            break;
-        const auto cells = table.cells(row);
-        const auto empty = std::ranges::count(cells, CellKind::empty, &TableCell::kind);
-        const bool isStatement = std::ssize(cells) == empty + 2 && isLabelledValue(table, row); // "Unit;nm"
-        if (complete && (isStatement || (!isGroup && !addsToHeadings(table, row))))
-            break;
-        complete |= *at != block.numericHead && cells.size() >= columns.size() &&
-                    !isRowOfUnits(table, cells) &&
-                    std::ranges::all_of(cells.first(columns.size()),
-                                        [](const TableCell &cell) { return cell.kind != CellKind::empty; });
-        rows.push_back(*at);
-    }
-    std::ranges::reverse(rows);
-    return rows;
+    std::optional<std::uint32_t> looseUnits; ///< a row of units that cannot be assigned to columns
+};
+
+/// "mm;µm" between the headings of more columns and the numbers.
+bool isShortRowOfUnits(const CellTable &table, const TableRow &row, std::size_t width) {
+    const auto cells = trimmed(table.cells(row));
+    if (row.comment || cells.empty() || 2 * cells.size() >= width)
+        return false;
+    return std::ranges::all_of(cells, [&](const TableCell &cell) {
+        const std::string_view text = table.text(cell);
+        return cell.kind == CellKind::empty || isUnitInBrackets(text) || isBareUnit(text);
+    });
 }
+
+/// A row between headings and numbers that hides no heading: a title, units, a label with its value.
+bool isPassedOver(const CellTable &table, const TableRow &row, std::size_t width) {
+    return isShortRowOfUnits(table, row, width) || isRowOfStatements(table, row) ||
+           (!isHeading(table, row, width) && isLabelledValue(table, row));
+}
+
+/// True if a row heads every column, or two of them as readings or targets.
+bool headsColumns(const CellTable &table, const TableRow &row, std::size_t width) {
+    const auto cells = trimmed(table.cells(row));
+    const auto isFilled = [](const TableCell &cell) { return cell.kind != CellKind::empty; };
+    return (cells.size() >= width && std::ranges::all_of(cells, isFilled)) ||
+           std::ranges::count_if(cells,
+                                 [&](const TableCell &cell) { return tellsReadings(table.text(cell)); }) >= 2;
+}
+
+/// True if the first column has the targets, so that units from the left on are in their columns.
+bool beginsWithTargets(const CellTable &table, const TableRow &row) {
+    const auto cells = table.cells(row);
+    return !cells.empty() && isOneOf(readHeading(table.text(cells.front())).meaning,
+                                     {Meaning::target, Meaning::place, Meaning::angle, Meaning::time});
+}
+
+class HeadingSearch {
+public:
+    HeadingSearch(const CellTable &table, const TableBlock &block, const std::vector<TableColumn> &all)
+        : m_table(table)
+        , m_block(block) {
+        std::size_t width = 0; // of this block, which may be narrower than the file's widest
+        for (const std::uint32_t row : block.rows)
+            width = std::max<std::size_t>(width, table.rows()[row].count);
+        m_width = std::min(width, all.size());
+    }
+
+    HeadingRows find() {
+        for (auto at = m_block.heads.rbegin();
+             at != m_block.heads.rend() && m_found.rows.size() < headingRows; ++at) {
+            if (m_found.rows.empty() && passes(*at))
+                continue;
+            if (!take(*at))
+                break;
+        }
+        std::ranges::reverse(m_found.rows);
+        return std::move(m_found);
+    }
+
+private:
+    [[nodiscard]] const TableRow &row(std::uint32_t index) const { return m_table.rows()[index]; }
+
+    /// Passes over a row directly above the numbers that is none of their headings.
+    bool passes(std::uint32_t index) {
+        if (m_block.numericHead == index)
+            return false;
+        const TableRow &head = row(index);
+        if (!head.comment && isPassedOver(m_table, head, m_width)) {
+            if (!m_units && isShortRowOfUnits(m_table, head, m_width))
+                m_units = index;
+            m_hasPassed = true;
+            return true;
+        }
+        // The title of the block.
+        return head.comment || isComputedRow(m_table, head) || (m_width > 2 && isLoneText(m_table, head));
+    }
+
+    bool take(std::uint32_t index) {
+        const TableRow &head = row(index);
+        // Run numbers are below what they number: "Forward;;Reverse;" above "1;2;1;2".
+        const bool isGroup = !m_found.rows.empty() && isGroupRow(m_table, head, m_width);
+        const bool isNumeric = m_block.numericHead == index;
+        if (!isNumeric && !isGroup && !isHeading(m_table, head, m_width))
+            return false;
+        if (m_hasPassed && m_found.rows.empty() && !isNumeric && !headsColumns(m_table, head, m_width))
+            return false;
+        const auto cells = m_table.cells(head);
+        const auto empty = std::ranges::count(cells, CellKind::empty, &TableCell::kind);
+        const bool isStatement =
+            (std::ssize(cells) == empty + 2 && isLabelledValue(m_table, head)) || // "Unit;nm"
+            isRowOfStatements(m_table, head);
+        if (m_isComplete && (isStatement || (!isGroup && !addsToHeadings(m_table, head))))
+            return false;
+        m_isComplete |= !isNumeric && cells.size() >= m_width && !isRowOfUnits(m_table, cells) &&
+                        std::ranges::all_of(cells.first(m_width), [](const TableCell &cell) {
+                            return cell.kind != CellKind::empty;
+                        });
+        if (m_units && m_found.rows.empty())
+            takeUnits(head);
+        m_found.rows.push_back(index);
+        return true;
+    }
+
+    void takeUnits(const TableRow &heading) {
+        if (beginsWithTargets(m_table, heading))
+            m_found.rows.push_back(*m_units);
+        else
+            m_found.looseUnits = m_units;
+    }
+
+    const CellTable &m_table;
+    const TableBlock &m_block;
+    std::size_t m_width = 0;
+    HeadingRows m_found;
+    std::optional<std::uint32_t> m_units; ///< a short row of units
+    bool m_hasPassed = false;
+    bool m_isComplete = false;
+};
 
 void addWords(std::string &heading, std::string_view words) {
     if (words.empty())
@@ -290,6 +359,8 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
             if (isGroup)
                 addWords(columns[c].group, text);
             addWords(columns[c].heading, headingOf(text, hasUnits, isBelow));
+            if (!hasUnits)
+                columns[c].own = text;
         }
     }
 }
@@ -433,6 +504,16 @@ void askForHeadingsBeyond(const CellTable &table, const std::vector<std::uint32_
     }
 }
 
+void askForLooseUnits(const CellTable &table, const TableRow &row, Remarks &remarks) {
+    std::string units;
+    for (const TableCell &cell : table.cells(row))
+        units += (units.empty() || cell.size == 0 ? "" : " ") + std::string(table.text(cell));
+    remarks.problem({"unit", row.line},
+                    REPORT_TEXT("report", "Unit: “%1” does not say to which columns it belongs; say the unit "
+                                          "of the readings."),
+                    excerpt(units));
+}
+
 /// "2s", "± 4 s": a multiple of the standard deviation; "1 s" could number a run.
 bool isSpread(std::string_view label) {
     std::string bare;
@@ -485,7 +566,7 @@ std::span<const TableCell> trimmed(std::span<const TableCell> cells) {
 void findSections(const CellTable &table, TableBody &body) {
     const std::vector<TableColumn> bare = body.columns;
     for (TableBlock &block : body.blocks) {
-        const std::vector<std::uint32_t> rows = headingRowsOf(table, block, bare);
+        const auto [rows, looseUnits] = HeadingSearch(table, block, bare).find();
         std::vector<TableColumn> columns = bare;
         if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment &&
             !table.rows()[block.heads.back()].aside)
@@ -499,6 +580,8 @@ void findSections(const CellTable &table, TableBody &body) {
         if (named || body.sections.empty()) {
             readHeadings(table, columns, body.remarks);
             askForHeadingsBeyond(table, rows, block, columns, body.remarks);
+            if (looseUnits)
+                askForLooseUnits(table, table.rows()[*looseUnits], body.remarks);
             body.sections.push_back(std::move(columns));
         }
         block.section = body.sections.size() - 1;

@@ -715,6 +715,35 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("headings over columns, not as many each",
         "Target (mm);Forward (µm);;;Reverse (µm);\n0;1;2;3;4;5\n100;2;3;4;5;6\n",
         "target,run+,ignored,ignored,run-,ignored / 0 100 / ↑ 1 2 / ↓ 4 5 / columns columns");
+    // Statements directly above the headings, any number in a row.
+    for (const char *above :
+         {"Axis;Y;Feed;1500 mm/min", "Axis;Y;Operator;Ann", "Machine;ABC 40;Axis;Y",
+          "Feed;1500 mm/min;Axis;Y", "Axis;Y;Temperature;19,5 °C", "Axis;Y;Feed;1500;", "Axis;Y;Time;09:45",
+          "Axis;Y;Humidity;52 %", "Axis;Y;Pressure;998;hPa", "Axis: Y;Feed: 1500 mm/min",
+          "Axe;Y;Vitesse;1500", "Achse;Y;Datum;12.03.2026"}) {
+        QTest::newRow(qPrintable(QString("above the headings: ") + above))
+            << QByteArray(above) +
+                   "\nTarget (mm);Up 1 (µm);Down 1 (µm);Up 2 (µm);Down 2 (µm)\n0;1;2;3;4\n150;5;6;7;8\n"
+            << "target,run+1,run-1,run+2,run-2 / 0 150 / ↑ 1 5 / ↓ 2 6 / ↑ 3 7 / ↓ 4 8 / " +
+                   QString(QByteArray(above).contains("Temp") ? "sensor Temperature – 19.5 / " : "");
+    }
+    row("a condition above columns that name their runs",
+        ";;Feed 900;;\nTarget (mm);Up 1 (µm);Down 1 (µm);Up 2 (µm);Down 2 (µm)\n0;1;2;3;4\n150;5;6;7;8\n",
+        "target,run+1,ignored,ignored,ignored / 0 150 / ↑ 1 5 / columns");
+    // A short row between headings and numbers.
+    for (const char *units :
+         {"mm;µm", "mm;µm;;;", "mm;µm\nMachine: ABC 40;Serial: 77", "Machine;ABC 40;Feed;900 mm/min\nmm;µm"})
+        QTest::newRow(qPrintable(QString("below the headings: %1").arg(QString(units).simplified())))
+            << "Target;Down 1;Up 1;Down 2;Up 2\n" + QByteArray(units) + "\n0;1;2;3;4\n150;5;6;7;8\n"
+            << "target,run-1,run+1,run-2,run+2 / 0 150 / ↑ 2 6 / ↓ 1 5 / ↑ 4 8 / ↓ 3 7 / ";
+    row("units in the place of another column",
+        "No.;Target;Down 1;Up 1;Down 2;Up 2\nmm;µm\n1;0;1;2;3;4\n2;150;5;6;7;8\n",
+        "ignored,target,run-1,run+1,run-2,run+2 / 0 150 / ↑ 2 6 / ↓ 1 5 / ↑ 4 8 / ↓ 3 7 / "
+        "content positionUnit unit unit");
+    row("headings that other words hide",
+        "Target;Down 1;Up 1;Down 2;Up 2\ndoor open;by hand\n0;1;2;3;4\n150;5;6;7;8\n",
+        "target,run,run,run,run / 0 150 / ↑ 1 5 / ↓ 3 7 / ↑ 2 6 / ↓ 4 8 / content directions positionUnit "
+        "unit");
     // Series over time.
     row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
         "time,deviation,temperature / channel Deviation 0:0 60:1 120:2 / temperature Temp 0:20 60:20.1 "
