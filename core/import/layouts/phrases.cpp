@@ -30,6 +30,7 @@ enum class Sign {
     from,   ///< the direction after it is where the axis comes from
     found,  ///< before an adjustment
     left,   ///< after an adjustment
+    test,   ///< a run to some, a whole test to others
 };
 
 /// A row of the dictionary: whole words, folded; phrases separated by bars, their words by blanks; the first
@@ -107,9 +108,10 @@ constexpr std::array phrases{
             "misura|lettura|es: lectura|medicion"},
     Phrases{Meaning::run, Sign::none,
             "de: messung|lauf|laufe|messlauf|messreihe|zyklus|durchgang|reihe|fahrt|en: run|runs|pass|trial|"
-            "series|traverse|rep|repeat|repetition|test|en fr: cycle|fr: passe|passage|essai|course|fr en: "
-            "passes|fr es it: serie|it: corsa|passata|prova|it es: ciclo|es: pasada|recorrido|ensayo|*: j|"
+            "series|traverse|rep|repeat|repetition|en fr: cycle|fr: passe|passage|course|fr en: "
+            "passes|fr es it: serie|it: corsa|passata|it es: ciclo|es: pasada|recorrido|*: j|"
             "cs pl ru: měření|běh|pomiar|przebieg|измерение|проход|прогон|цикл|zh ja: 测量|次|循环|測定|回"},
+    Phrases{Meaning::run, Sign::test, "en: test|fr: essai|it: prova|es: ensayo"},
     Phrases{Meaning::direction, Sign::none,
             "en fr: direction|*: dir|en: approach|sense|fr: sens|approche|de: richtung|anfahrrichtung|"
             "fahrtrichtung|anfahrt|it: direzione|senso|verso|es: sentido|direccion|cs pl ru zh ja: směr|"
@@ -397,9 +399,11 @@ private:
         m_dash |= phrase.sign == Sign::down && token.isWeak;
         if (phrase.sign == Sign::found || phrase.sign == Sign::left)
             m.state = phrase.sign == Sign::found ? TestRole::asFound : TestRole::asLeft;
+        m.isTest |= phrase.sign == Sign::test;
         if (phrase.meaning != Meaning::unknown)
             m_meanings.push_back(phrase.meaning);
-        m_isDirection = phrase.sign != Sign::none && phrase.sign != Sign::filler && phrase.sign != Sign::from;
+        m_isDirection = phrase.sign != Sign::test && phrase.sign != Sign::none &&
+                        phrase.sign != Sign::filler && phrase.sign != Sign::from;
     }
 
     void remember(std::size_t i, std::size_t tokens) {

@@ -55,6 +55,7 @@ struct HeadingWords {
     bool saysDirection = false;         ///< contains a word for "direction"
     bool namesSense = false;            ///< names a sense of rotation; its hint is a guess: clockwise as ↑
     TestRole state = TestRole::notStated; ///< before or after an adjustment
+    bool isTest = false;                  ///< contains "test", which is a run to some, a whole test to others
     bool comesFrom = false;         ///< "approach from −": the hint is the reverse, and to be confirmed
     std::optional<unsigned> number; ///< of a run
     char axis = 0;                  ///< X Y Z U V W A B C, otherwise 0

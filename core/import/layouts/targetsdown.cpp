@@ -5,6 +5,7 @@
 
 #include "document/documenterror.h"
 #include "document/place.h"
+#include "tables/dates.h"
 
 #include <algorithm>
 #include <map>
@@ -401,9 +402,37 @@ private:
     }
 
     /// The title directly above a block that is not a column heading.
-    [[nodiscard]] HeadingWords titleOf(const TableBlock &block) const {
+    [[nodiscard]] std::string titleOf(const TableBlock &block) const {
         const std::vector<std::uint32_t> titles = m.titlesOf(block);
-        return titles.empty() ? HeadingWords() : readHeading(m.textOf(titles.front()));
+        return titles.empty() ? std::string() : m.textOf(titles.front());
+    }
+
+    /// The day named by a title; empty if there is none.
+    [[nodiscard]] static std::string dayIn(const std::string &title) {
+        if (auto day = isoDate(title))
+            return *day;
+        std::string_view rest = title;
+        while (!rest.empty()) {
+            const std::string_view word = rest.substr(0, rest.find_first_of(" ,;()"));
+            if (isDate(word))
+                return std::string(word);
+            rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+        }
+        return {};
+    }
+
+    /// "Run 2", "Forward 2" above a block. "Test 2" may be a test of its own, and so may a block of another
+    /// day, or one that counts its own runs.
+    [[nodiscard]] bool isTitledAsRun(const Piece &piece) const {
+        const std::string text = titleOf(*piece.block);
+        const HeadingWords title = readHeading(text);
+        if (title.direction || (title.hint && !isName(title)) || directionOfBlock(m, *piece.block).stated)
+            return true;
+        std::set<unsigned> numbers;
+        for (const std::size_t column : m_columns.values)
+            numbers.insert(columnIn(piece.section, column).number);
+        return title.meaning == Meaning::run && title.number && !title.isTest && title.unknownWords == 0 &&
+               dayIn(text).empty() && numbers.size() < 2;
     }
 
     /// "Machine: B", "F1000": the letter is no direction, as in "1A" and "R 2".
@@ -420,13 +449,13 @@ private:
     /// test.
     void askForUnnamedBlocks() {
         std::set<std::tuple<std::size_t, Direction, unsigned>> known;
+        const std::string day = dayIn(titleOf(*m_pieces.front().block));
         for (std::size_t i = 0; i < m_pieces.size(); ++i) {
             const Piece &piece = m_pieces[i];
-            const HeadingWords title = titleOf(*piece.block);
-            const bool isRun = (title.meaning == Meaning::run && title.number) || title.direction ||
-                               (title.hint && !isName(title)) || directionOfBlock(m, *piece.block).stated;
+            const std::string title = titleOf(*piece.block);
+            const bool isRun = isTitledAsRun(piece);
             const bool begins = i > 0 && piece.block != m_pieces[i - 1].block;
-            bool isOther = begins && !isRun && title.unknownWords > 0;
+            bool isOther = begins && !isRun && (readHeading(title).unknownWords > 0 || dayIn(title) != day);
             for (const std::size_t column : m_columns.values) {
                 const ImportColumn what = columnIn(piece.section, column);
                 if (what.number > 0 && what.direction && !isRun)

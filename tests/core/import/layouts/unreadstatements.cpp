@@ -109,6 +109,15 @@ private slots:
         const QByteArray block = "\nTarget (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
         QTest::newRow("two machines") << "Machine: A" + block + "\nMachine: B" + block << "layout";
         QTest::newRow("two feeds") << "F1000" + block + "\nF5000" + block << "layout";
+        const QByteArray runs =
+            "\nTarget (mm);Up 1 (µm);Down 1 (µm);Up 2 (µm);Down 2 (µm)\n0;1;2;3;4\n150;5;6;7;8\n";
+        for (const auto &[first, second] :
+             {std::pair("Test 1 2026-03-02", "Test 2 2026-03-03"), std::pair("Test 1", "Test 2"),
+              std::pair("Essai 1 du 23/02/2026", "Essai 2 du 24/02/2026"), std::pair("Run 1", "Run 2"),
+              std::pair("Prova 1", "Prova 2"), std::pair("Run 1 of 12 March", "Run 2 of 13 March")})
+            QTest::newRow(first) << first + runs + '\n' + second + runs << "layout";
+        QTest::newRow("runs of two days")
+            << "Run 1 02.03.2026" + block + "\nRun 2 03.03.2026" + block << "layout";
         QTest::newRow("letters behind directions")
             << QByteArray("Target (mm);Fwd A (µm);Bwd A (µm);Fwd B (µm);Bwd B (µm)\n0;1;2;3;4\n100;3;4;5;6\n")
             << "columns";
@@ -156,6 +165,19 @@ private slots:
             const Imported imported = importMeasurement(line + ("\n" + table), "x.csv");
             QVERIFY2(std::ranges::all_of(imported.questions, &Question::canBeAssumed),
                      qPrintable(QString(line) + testdata::questions(imported)));
+        }
+    }
+
+    /// Blocks that are titled as runs, or as measured on one day.
+    void takesBlocksOfRuns() {
+        const QByteArray block = "\nTarget (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+        for (const auto &[first, second] :
+             {std::pair("Run 1", "Run 2"), std::pair("Messung 1", "Messung 2"), std::pair("Test 1", "Test 2"),
+              std::pair("Run 1 02.03.2026", "Run 2 02.03.2026")}) {
+            const Imported imported = importMeasurement(first + block + '\n' + second + block, "x.csv");
+            QVERIFY2(std::ranges::all_of(imported.questions, &Question::canBeAssumed),
+                     qPrintable(first + testdata::questions(imported)));
+            QCOMPARE(measurementOf(imported).runs.size(), std::size_t(4));
         }
     }
 
