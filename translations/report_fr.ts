@@ -8354,6 +8354,18 @@
         <translation>Disposition&#xa0;: le bloc qui commence ici ne dit pas quelles passes il contient&#x202f;; il est lu comme d’autres passes du même essai.</translation>
     </message>
     <message>
+        <source>Lines of one test</source>
+        <translation>Lignes d’un seul essai</translation>
+    </message>
+    <message>
+        <source>Lines: those of the table differ in “%1” (%2); those of “%3” are read, the others are a test of their own.</source>
+        <translation>Lignes&#xa0;: celles du tableau diffèrent par «&#xa0;%1&#xa0;» (%2)&#x202f;; celles de «&#xa0;%3&#xa0;» sont lues, les autres forment un essai à part.</translation>
+    </message>
+    <message>
+        <source>Columns: “%1” runs from %2 to %3; all readings are read as those of one test.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» va de %2 à %3&#x202f;; tous les relevés sont lus comme ceux d’un seul essai.</translation>
+    </message>
+    <message>
         <source>Unit: “%1” does not say to which columns it belongs; say the unit of the readings.</source>
         <translation>Unité&#xa0;: «&#xa0;%1&#xa0;» ne dit pas à quelles colonnes ces unités appartiennent&#x202f;; indiquer l’unité des relevés.</translation>
     </message>

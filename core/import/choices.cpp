@@ -116,6 +116,7 @@ const auto keys = std::to_array<ImportKey>({
      Asked::guess},
     {"table", REPORT_TEXT("report", "Table"), ImportValue::number, {}, Asked::guess},
     {"lines", REPORT_TEXT("report", "Lines"), ImportValue::text},
+    {"part", REPORT_TEXT("report", "Lines of one test"), ImportValue::text, {}, Asked::guess},
     {"kind", REPORT_TEXT("report", "Kind"), ImportValue::word, kindWords, Asked::guess},
     {"columns", REPORT_TEXT("report", "Columns"), ImportValue::text, {}, Asked::guess},
     {"series", REPORT_TEXT("report", "Process variable"), ImportValue::text, {}, Asked::guess},

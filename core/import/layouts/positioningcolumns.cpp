@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/columnsearch.h"
+#include "import/layouts/conditioncolumns.h"
 
 #include "document/place.h"
 #include "tables/contenterror.h"
@@ -128,6 +129,7 @@ bool isUsed(const ColumnSearch &search, std::size_t c) {
     const ColumnRole role = search.result.columns[c].role;
     return role == ColumnRole::target || role == ColumnRole::direction || role == ColumnRole::number ||
            std::ranges::find(search.result.values, c) != search.result.values.end() ||
+           std::ranges::find(search.result.conditions, c) != search.result.conditions.end() ||
            head.meaning == Meaning::index ||
            (head.meaning == Meaning::axis && head.kind == ColumnKind::words); // it selects the lines
 }
@@ -225,6 +227,7 @@ void resolve(ColumnSearch &search) {
                                             "of the readings are not known; give the columns their roles"));
     placeOwnTargets(search.result);
     takeUnitColumn(search);
+    takeConditions(m, search.result);
     remarkIgnored(search);
 }
 

@@ -168,8 +168,10 @@ private:
             m_blockAxis = axis; // applies until another is named
         return m_blockAxis != m_axis;
     }
-    [[nodiscard]] bool isOfOtherAxis(std::uint32_t row) const {
-        return m_axisColumn && m.cellText(row, *m_axisColumn) != m_axis;
+    /// True for a line of another axis, machine, day …
+    [[nodiscard]] bool isOfOtherTest(std::uint32_t row) const {
+        return (m_axisColumn && m.cellText(row, *m_axisColumn) != m_axis) ||
+               (!m_columns.isOfOtherTest.empty() && m_columns.isOfOtherTest[row]);
     }
 
     // ---- a column with the direction or run number of each line
@@ -180,7 +182,7 @@ private:
                 continue;
             m_titled = directionOfBlock(m, block).stated;
             for (const std::uint32_t row : block.rows) {
-                if (!isOfOtherAxis(row))
+                if (!isOfOtherTest(row))
                     readLine(block.section, row);
             }
         }
@@ -527,7 +529,7 @@ private:
         std::vector<std::uint32_t> rows;
         std::vector<double> positions;
         for (const std::uint32_t row : block.rows) {
-            if (isOfOtherAxis(row))
+            if (isOfOtherTest(row))
                 continue;
             if (const auto target = targetOf(row)) {
                 rows.push_back(row);

@@ -7,6 +7,7 @@
 #include <QTest>
 #include <algorithm>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -744,6 +745,33 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Target;Down 1;Up 1;Down 2;Up 2\ndoor open;by hand\n0;1;2;3;4\n150;5;6;7;8\n",
         "target,run,run,run,run / 0 150 / ↑ 1 5 / ↓ 3 7 / ↑ 2 6 / ↓ 4 8 / content directions positionUnit "
         "unit");
+    // A column of the machine, the day …: one value is a statement, several are several tests.
+    const auto listOf = [](const QByteArray &heading, const QByteArray &first, const QByteArray &second) {
+        return heading + ";Target (mm);Dir;Run;Dev (µm)\n" + first + ";0;+;1;1\n" + first + ";150;+;1;2\n" +
+               first + ";150;-;1;3\n" + first + ";0;-;1;4\n" + second + ";0;+;2;5\n" + second +
+               ";150;+;2;6\n" + second + ";150;-;2;7\n" + second + ";0;-;2;8\n";
+    };
+    for (const auto &[heading, first, second] :
+         {std::tuple("Machine", "ABC 40", "XYZ"), std::tuple("Date", "2026-03-02", "2026-03-03"),
+          std::tuple("Datum", "02.03.2026 08:10", "03.03.2026 08:10"), std::tuple("Feed", "900", "4000"),
+          std::tuple("Vorschub (mm/min)", "900", "4000"), std::tuple("Opérateur", "Anne", "Luc"),
+          std::tuple("Serial No.", "77", "78")}) {
+        QTest::newRow(qPrintable(QString("two tests in one list: ") + heading))
+            << listOf(heading, first, second)
+            << "ignored,target,direction,number,deviation / 0 150 / ↑ 1 2 / ↓ 4 3 / part";
+        QTest::newRow(qPrintable(QString("one test in a list: ") + heading))
+            << listOf(heading, first, first)
+            << "ignored,target,direction,number,deviation / 0 150 / ↑ 1 2 / ↓ 4 3 / ↑ 5 6 / ↓ 8 7 / ";
+    }
+    QTest::newRow("a machine in the first line of its readings")
+        << listOf("Machine", "ABC 40", "XYZ").replace("\nABC 40;150", "\n;150")
+        << "ignored,target,direction,number,deviation / 0 150 / ↑ 1 2 / ↓ 4 3 / part";
+    for (const auto &[second, questions] : {std::pair("20.9", ""), std::pair("27.5", "columns")})
+        QTest::newRow(qPrintable(QString("temperatures of lines: ") + second))
+            << listOf("Temperature (°C)", "20.1", second)
+            << QString("temperature,target,direction,number,deviation / 0 150 / ↑ 1 2 / ↓ 4 3 / ↑ 5 6 / "
+                       "↓ 8 7 / ") +
+                   questions;
     // Series over time.
     row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
         "time,deviation,temperature / channel Deviation 0:0 60:1 120:2 / temperature Temp 0:20 60:20.1 "
@@ -867,6 +895,17 @@ void LayoutsTest::answersAreTaken_data() {
     QTest::newRow("the other axis") << axes << "axis"
                                     << "Y"
                                     << "target,ignored,ignored,run+,run- / 0 100 / ↑ 30 50 / ↓ 40 60 / ";
+    const QByteArray machines = "Machine;Target (mm);Dir;Dev (µm)\nA 1;0;+;1\nA 1;90;+;2\nB 2;0;+;3\n"
+                                "B 2;90;+;4\n";
+    QTest::newRow("the other machine") << machines << "part"
+                                       << "B 2"
+                                       << "ignored,target,direction,deviation / 0 90 / ↑ 3 4 / ";
+    QTest::newRow("both machines") << machines << "columns"
+                                   << "ignored,target,direction,deviation"
+                                   << "ignored,target,direction,deviation / 0 90 / ↑ 1 2 / ↑ 3 4 / ";
+    QTest::newRow("a machine that is not there") << machines << "part"
+                                                 << "C 3"
+                                                 << "refused";
     QTest::newRow("columns") << axes << "columns"
                              << "target,ignored,ignored,ignored,run-"
                              << "target,ignored,ignored,ignored,run- / 0 100 / ↓ 40 60 / ";

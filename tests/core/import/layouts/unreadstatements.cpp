@@ -168,6 +168,25 @@ private slots:
         }
     }
 
+    /// A column with the same word in each line is a statement; what has no field is listed.
+    void takesColumnsOfConditions() {
+        const QByteArray head =
+            "Machine;Serial number;Operator;Date;Feed (mm/min);Hall;Target (mm);Dir;Dev (µm)";
+        QByteArray text = head + '\n';
+        for (const char *line : {"0;+;1", "100;+;2", "100;-;3", "0;-;4"})
+            text += "ABC 40;77;Ann;2026-03-02;900;North;" + QByteArray(line) + '\n';
+        const Imported imported = importMeasurement(text, "x.csv");
+        QVERIFY2(std::ranges::all_of(imported.questions, &Question::canBeAssumed),
+                 qPrintable(testdata::questions(imported)));
+        QCOMPARE(imported.machine.name, "ABC 40");
+        QCOMPARE(imported.machine.serialNumber, "77");
+        QCOMPARE(imported.operatorName, "Ann");
+        QCOMPARE(imported.test->date.value(), "2026-03-02");
+        QCOMPARE(measurementOf(imported).conditions.feed.value(), 900.0);
+        QVERIFY2(testdata::remarks(imported).contains("not read: Hall."),
+                 qPrintable(testdata::remarks(imported)));
+    }
+
     /// Blocks that are titled as runs, or as measured on one day.
     void takesBlocksOfRuns() {
         const QByteArray block = "\nTarget (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
