@@ -8354,6 +8354,18 @@
         <translation>Disposition&#xa0;: le bloc qui commence ici ne dit pas quelles passes il contient&#x202f;; il est lu comme d’autres passes du même essai.</translation>
     </message>
     <message>
+        <source>the other way round than the file says</source>
+        <translation>à l’inverse de ce qu’indique le fichier</translation>
+    </message>
+    <message>
+        <source>Directions: %1 in their column is ↑, %2 is ↓, by the order of the targets.</source>
+        <translation>Sens&#xa0;: %1 dans leur colonne désigne ↑ et %2 ↓, d’après l’ordre des points visés.</translation>
+    </message>
+    <message>
+        <source>Directions: nothing says which of the numbers in their column is ↑, or the order of the targets contradicts it; %1 is read as ↑, %2 as ↓.</source>
+        <translation>Sens&#xa0;: rien ne dit lequel des nombres de leur colonne désigne ↑, ou l’ordre des points visés le contredit&#x202f;; %1 est lu comme ↑, %2 comme ↓.</translation>
+    </message>
+    <message>
         <source>Lines of one test</source>
         <translation>Lignes d’un seul essai</translation>
     </message>

@@ -62,6 +62,7 @@ constexpr auto layoutWords =
                                {"series", REPORT_TEXT("report", "values over time")}});
 constexpr auto directionWords =
     std::to_array<ImportWord>({{"stated", REPORT_TEXT("report", "as the file says")},
+                               {"reversed", REPORT_TEXT("report", "the other way round than the file says")},
                                {"alternating", REPORT_TEXT("report", "alternating ↑ ↓")},
                                {"sideBySide", REPORT_TEXT("report", "all ↑, then all ↓")},
                                {"positive", REPORT_TEXT("report", "all ↑")},

@@ -93,9 +93,13 @@ std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choice
                                         passes.empty() ? Origin::guessed : Origin::recognised);
     if (passes.empty())
         passes.push_back(tables.front().pass);
-    if (choice.value == "negative")
-        for (Pass &pass : passes)
+    for (Pass &pass : passes) {
+        const bool isReversed = choice.value == "reversed" && pass.direction == Direction::positive;
+        if (choice.value == "negative" || isReversed)
             pass.direction = Direction::negative;
+        else if (choice.value == "reversed")
+            pass.direction = Direction::positive;
+    }
     if (choice.origin == Origin::guessed)
         remarks.assumption("directions", REPORT_TEXT("report", "Directions: the file has means of "
                                                                "both directions only; they are read as ↑."));

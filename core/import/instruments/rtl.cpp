@@ -166,7 +166,8 @@ private:
 
     /// Direction of the j-th run (from 0) under one of the choices.
     [[nodiscard]] Direction directionOf(std::string_view choice, const auto &run, std::size_t j) const {
-        const bool isNegative = (choice == "stated" && run.falls && !run.rises) || choice == "negative" ||
+        const bool isNegative = (choice == "stated" && run.falls && !run.rises) ||
+                                (choice == "reversed" && run.rises && !run.falls) || choice == "negative" ||
                                 (choice == "alternating" && j % 2 == 1) ||
                                 (choice == "sideBySide" && 2 * j >= m_runs.size());
         return isNegative ? Direction::negative : Direction::positive;

@@ -181,7 +181,8 @@ private:
         constexpr double most = 3; // K, within a test
         for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
             const TableColumn &head = m.body.columns[c];
-            if (m_result.columns[c].role != ColumnRole::temperature || !head.isNumeric())
+            if (m_result.columns[c].role != ColumnRole::temperature || !head.isNumeric() ||
+                (head.unit && !head.isIn(UnitKind::temperature)))
                 continue;
             const auto [low, high] = m.rangeOf(c);
             const auto inBase = [&](double value) {

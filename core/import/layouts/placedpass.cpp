@@ -146,6 +146,14 @@ void askForDirections(std::string_view word, const FoundPasses &found, TableRead
                                 REPORT_TEXT("report", "Directions: “%1” names some, but is not read as the "
                                                       "headings of the columns."),
                                 excerpt(withoutBlanks(reading.textOf(*unused))));
+    else if (stated && found.unclearCodes)
+        reading.remarks
+            .problem("directions",
+                     REPORT_TEXT("report", "Directions: nothing says which of the numbers in their column is "
+                                           "↑, or the order of the targets contradicts it; %1 is read as ↑, "
+                                           "%2 as ↓."),
+                     found.unclearCodes->first, found.unclearCodes->second)
+            .answers = {"stated", "reversed"};
     else
         // A machine's direction of rotation depends on the side it is seen from.
         reading.remarks.add(isPlain(word, found.passes) && !found.hasSenses ? RemarkGrade::assumption
@@ -161,10 +169,15 @@ void resolveDirections(FoundPasses &found, TableReading &reading) {
         std::ranges::all_of(passes, [](const PlacedPass &p) { return p.direction.has_value(); });
     const Origin origin = stated && !found.hasHints ? Origin::recognised : Origin::guessed;
     const auto choice = reading.choices.resolve("directions", stated ? "stated" : guessOf(passes), origin);
-    if (choice.value == "stated" && !stated)
+    const bool isStated = choice.value == "stated" || choice.value == "reversed";
+    if (isStated && !stated)
         refuseContent(REPORT_TEXT("report", "the file does not say which "
                                             "runs are ↑ and which ↓; choose another word for “directions”"));
-    if (choice.value != "stated") {
+    if (choice.value == "reversed") {
+        for (PlacedPass &placed : passes)
+            placed.direction =
+                placed.direction == Direction::positive ? Direction::negative : Direction::positive;
+    } else if (choice.value != "stated") {
         for (std::size_t j = 0; j < passes.size(); ++j)
             passes[j].direction = directionUnder(choice.value, j, passes.size());
     }

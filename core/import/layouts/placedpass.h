@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palmer {
@@ -35,7 +36,8 @@ struct PlacedPass {
 struct FoundPasses : FoundForm {
     std::vector<PlacedPass> passes;
     bool isBlockwise = false;
-    bool isByLine = false; ///< one pass per line
+    bool isByLine = false;                                                ///< one pass per line
+    std::optional<std::pair<std::string, std::string>> unclearCodes = {}; ///< read as ↑ and ↓, for no reason
 };
 
 /// Settles the directions of all passes: as stated by the table or chosen, otherwise guessed with a question.

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "import/layouts/directioncodes.h"
 #include "import/layouts/placedpass.h"
 #include "import/layouts/positioningcolumns.h"
 
 #include "document/documenterror.h"
 #include "document/place.h"
+#include "kernel/words/shortest.h"
 #include "tables/dates.h"
 
 #include <algorithm>
@@ -186,7 +188,7 @@ private:
                     readLine(block.section, row);
             }
         }
-        m_found.hasHints |= m_codesAreGuessed;
+        remarkCodes();
         if (const auto line = m_repeated ? m_repeated : fragment())
             askForRepeated(*line);
         const bool stated = std::ranges::all_of(
@@ -243,12 +245,10 @@ private:
         const auto code = m.numberAt(row, *m_columns.direction);
         if (!code)
             return directionOrSense(m.cellText(row, *m_columns.direction));
-        if (m_codes.empty())
+        if (m_codes.directions.empty())
             m_codes = codesOfDirection();
-        m_codesAreGuessed |= !m_codes.contains(-1);
-        return m_codes.rbegin()->first == *code && m_codes.contains(-1)  ? Direction::positive
-               : m_codes.contains(-1) || m_codes.begin()->first != *code ? Direction::negative
-                                                                         : Direction::positive;
+        const auto known = m_codes.directions.find(*code);
+        return known == m_codes.directions.end() ? std::nullopt : std::optional(known->second);
     }
 
     [[nodiscard]] std::optional<Direction> directionOrSense(std::string_view text) {
@@ -262,12 +262,38 @@ private:
         return *sense == Sense::clockwise ? Direction::positive : Direction::negative;
     }
 
-    /// Direction codes: +1 and −1 are clear; of 0 and 1, or 1 and 2, the first is taken as ↑, which is asked.
-    [[nodiscard]] std::map<double, int> codesOfDirection() const {
-        std::map<double, int> codes;
-        for (const double code : m.valuesOf(*m_columns.direction))
-            ++codes[code];
-        return codes;
+    [[nodiscard]] DirectionCodes codesOfDirection() const {
+        std::vector<CodedTarget> lines;
+        for (const TableBlock &block : m.body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                const auto code = m.numberAt(row, *m_columns.direction);
+                const auto target = m.numberAt(row, m_target);
+                const auto run = m_columns.number ? m.numberAt(row, *m_columns.number) : std::nullopt;
+                if (code && target && !isOfOtherTest(row))
+                    lines.push_back({*code, run.value_or(0), *target});
+            }
+        }
+        return directionCodes(lines);
+    }
+
+    /// Says what the codes of directions are taken for, or asks.
+    void remarkCodes() {
+        if (m_codes.directions.empty() || m_codes.origin == DirectionCodes::Origin::stated)
+            return;
+        m_found.hasHints |= m_codes.origin != DirectionCodes::Origin::ordered;
+        std::string up;
+        std::string down;
+        for (const auto &[code, direction] : m_codes.directions) {
+            std::string &list = direction == Direction::positive ? up : down;
+            list += (list.empty() ? "" : ", ") + shortest(code);
+        }
+        if (m_codes.origin == DirectionCodes::Origin::ordered)
+            m.remarks.note("directions",
+                           REPORT_TEXT("report", "Directions: %1 in their column is ↑, %2 is ↓, by the order "
+                                                 "of the targets."),
+                           up, down);
+        else if (m_codes.origin == DirectionCodes::Origin::unclear)
+            m_found.unclearCodes = {up, down};
     }
 
     /// A run with ascending targets is ↑, with descending ones ↓; unknown if all ascend.
@@ -569,7 +595,7 @@ private:
     std::vector<Piece> m_pieces;
     std::map<std::tuple<std::size_t, unsigned, int, std::size_t>, std::size_t> m_passes;
     std::map<std::tuple<std::size_t, unsigned, int, double>, std::size_t> m_times;
-    std::map<double, int> m_codes;
+    DirectionCodes m_codes;
     std::optional<std::size_t> m_repeated; ///< the first line that repeats a target of its run
     std::optional<Direction> m_titled;
     std::optional<std::size_t> m_axisColumn;
@@ -577,7 +603,6 @@ private:
     bool m_hasStates = false; ///< blocks as found and as left
     TestRole m_blockState = TestRole::notStated;
     std::string m_blockAxis;
-    bool m_codesAreGuessed = false;
 };
 
 } // namespace

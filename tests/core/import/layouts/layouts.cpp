@@ -745,6 +745,30 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Target;Down 1;Up 1;Down 2;Up 2\ndoor open;by hand\n0;1;2;3;4\n150;5;6;7;8\n",
         "target,run,run,run,run / 0 150 / ↑ 1 5 / ↓ 3 7 / ↑ 2 6 / ↓ 4 8 / content directions positionUnit "
         "unit");
+    // Directions as numbers: the order of the targets says which is which.
+    for (const auto &[up, down] : {std::pair("1", "0"), std::pair("0", "1"), std::pair("1", "2"),
+                                   std::pair("2", "1"), std::pair("1", "-1")}) {
+        const QByteArray first = ';' + QByteArray(up) + ';';
+        const QByteArray second = ';' + QByteArray(down) + ';';
+        QTest::newRow(qPrintable(QString("codes of directions %1 and %2").arg(up, down)))
+            << "Target (mm);Dir;Dev (µm)\n0" + first + "1\n70" + first + "2\n150" + first + "3\n150" +
+                   second + "4\n70" + second + "5\n0" + second + "6\n0" + first + "7\n70" + first + "8\n150" +
+                   first + "9\n150" + second + "10\n70" + second + "11\n0" + second + "12\n"
+            << "target,direction,deviation / 0 70 150 / ↑ 1 2 3 / ↓ 6 5 4 / ↑ 7 8 9 / ↓ 12 11 10 / ";
+        QTest::newRow(qPrintable(QString("codes of directions %1 and %2, numbered runs").arg(up, down)))
+            << "Target (mm);Dir;Run;Dev (µm)\n0" + first + "1;1\n70" + first + "1;2\n0" + first + "2;3\n70" +
+                   first + "2;4\n70" + second + "1;5\n0" + second + "1;6\n70" + second + "2;7\n0" + second +
+                   "2;8\n"
+            << "target,direction,number,deviation / 0 70 / ↑ 1 2 / ↓ 6 5 / ↑ 3 4 / ↓ 8 7 / ";
+    }
+    row("codes of directions, all ascending", "Target (mm);Dir;Dev (µm)\n0;1;1\n70;1;2\n0;0;3\n70;0;4\n",
+        "target,direction,deviation / 0 70 / ↓ 1 2 / ↑ 3 4 / directions");
+    row("codes of directions against the order", "Target (mm);Dir;Dev (µm)\n70;1;1\n0;1;2\n0;-1;3\n70;-1;4\n",
+        "target,direction,deviation / 0 70 / ↑ 2 1 / ↓ 3 4 / directions");
+    row("codes of directions that change their sense",
+        "Target (mm);Dir;Run;Dev (µm)\n0;1;1;1\n70;1;1;2\n70;2;1;3\n0;2;1;4\n70;1;2;5\n0;1;2;6\n0;2;2;7\n"
+        "70;2;2;8\n",
+        "target,direction,number,deviation / 0 70 / ↑ 1 2 / ↓ 4 3 / ↑ 6 5 / ↓ 7 8 / directions");
     // A column of the machine, the day …: one value is a statement, several are several tests.
     const auto listOf = [](const QByteArray &heading, const QByteArray &first, const QByteArray &second) {
         return heading + ";Target (mm);Dir;Run;Dev (µm)\n" + first + ";0;+;1;1\n" + first + ";150;+;1;2\n" +
@@ -895,6 +919,14 @@ void LayoutsTest::answersAreTaken_data() {
     QTest::newRow("the other axis") << axes << "axis"
                                     << "Y"
                                     << "target,ignored,ignored,run+,run- / 0 100 / ↑ 30 50 / ↓ 40 60 / ";
+    QTest::newRow("codes the other way round")
+        << QByteArray("Target (mm);Dir;Dev (µm)\n0;1;1\n70;1;2\n0;0;3\n70;0;4\n") << "directions"
+        << "reversed"
+        << "target,direction,deviation / 0 70 / ↑ 1 2 / ↓ 3 4 / ";
+    QTest::newRow("headings the other way round")
+        << QByteArray("Target (mm);pos 1 (µm);neg 1 (µm)\n0;1;5\n100;3;7\n") << "directions"
+        << "reversed"
+        << "target,run+1,run-1 / 0 100 / ↑ 5 7 / ↓ 1 3 / ";
     const QByteArray machines = "Machine;Target (mm);Dir;Dev (µm)\nA 1;0;+;1\nA 1;90;+;2\nB 2;0;+;3\n"
                                 "B 2;90;+;4\n";
     QTest::newRow("the other machine") << machines << "part"
