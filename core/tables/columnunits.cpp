@@ -163,8 +163,17 @@ private:
 };
 
 void CellTable::takeUnits() {
-    if (std::exchange(m_saysUnits, false))
-        UnitTaker(*this).take();
+    if (!std::exchange(m_saysUnits, false))
+        return;
+    UnitTaker(*this).take();
+    // A unit that few cells of a column display is none of the column.
+    for (const auto &[index, number] : std::exchange(m_formatted, {})) {
+        TableCell &cell = m_cells[index];
+        if (cell.kind == CellKind::text) {
+            cell.kind = CellKind::number;
+            cell.value = number;
+        }
+    }
 }
 
 } // namespace palmer

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <limits>
 #include <map>
 
@@ -22,6 +23,13 @@ constexpr std::size_t cellLimit = 10'000'000; ///< with the empty ones of nearly
 constexpr std::size_t longestCell = std::numeric_limits<std::uint16_t>::max();
 constexpr std::size_t quoteReach = 4096; ///< an unclosed quotation mark is a character beyond this
 constexpr std::size_t sampleRows = 300;
+
+/// The shortest decimal that reads back as the same number, without an exponent.
+std::string plainDecimals(double value) {
+    std::array<char, 400> digits{};
+    return {digits.data(),
+            std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr};
+}
 
 bool isLineEnd(char c) {
     return c == '\n' || c == '\r';
@@ -738,6 +746,13 @@ void TableBuilder::add(double number, std::string_view shown) {
     added.value = number;
 }
 
+void TableBuilder::add(double number, const Unit &unit) {
+    TableCell &added = append(plainDecimals(number) + ' ' + unit.sign);
+    added.kind = CellKind::text; // until the units of the columns are known
+    m_table.m_formatted.emplace_back(static_cast<std::uint32_t>(m_table.m_cells.size() - 1), number);
+    m_table.m_saysUnits = true;
+}
+
 CellTable TableBuilder::take(std::optional<DecimalMark> mark) {
     m_table.isPlaced = true;
     std::array<std::size_t, 2> marked{}; // numbers with decimals for each mark
@@ -760,6 +775,11 @@ CellTable TableBuilder::take(std::optional<DecimalMark> mark) {
             const CellValue value = readCell(m_table.text(m_table.m_cells[i]), DecimalMark::comma);
             m_table.m_cells[i].kind = value.kind;
             m_table.m_cells[i].value = value.value;
+        }
+        for (const auto &[i, number] : m_table.m_formatted) {
+            const TableCell &cell = m_table.m_cells[i];
+            const auto begin = m_table.m_text.begin() + cell.begin;
+            std::replace(begin, begin + cell.size, '.', ',');
         }
     }
     return std::move(m_table);

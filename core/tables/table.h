@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace palmer {
@@ -111,6 +112,7 @@ private:
     std::vector<TableCell> m_cells;
     bool m_saysUnits = false; ///< in at least one cell
     std::vector<ColumnUnit> m_units;
+    std::vector<std::pair<std::uint32_t, double>> m_formatted; ///< cells whose unit is only displayed
     RowUnit m_rowUnit;
 };
 
@@ -128,6 +130,8 @@ public:
     void beginRow(std::size_t line);
     void add(std::string_view cell); ///< a text, possibly a number typed as text
     void add(double number, std::string_view shown);
+    /// A number whose cell displays a unit.
+    void add(double number, const Unit &unit);
     /// Numbers among the texts have the given mark, otherwise the one valid for most.
     [[nodiscard]] CellTable take(std::optional<DecimalMark> mark = {});
 

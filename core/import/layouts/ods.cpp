@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/worksheet.h"
+#include "kernel/words/characters.h"
+#include "tables/cellunits.h"
 #include "tables/contenterror.h"
 
 #include <algorithm>
@@ -67,6 +69,8 @@ public:
             m_column = std::min(m_column + m_cell.repeats, 10'000'000);
             if (!m_cell.time.empty())
                 m_cell.text = m_cell.time;
+            else if (m_cell.number)
+                takeShown();
             m_cell.isEmptyFormula &= m_cell.text.empty();
             if (!m_cell.text.empty() || m_cell.number || m_cell.isEmptyFormula)
                 m_cells.push_back(m_cell);
@@ -91,6 +95,7 @@ private:
         int repeats = 1;
         std::string time = {}; ///< in ISO format, whatever the cell displays
         bool isEmptyFormula = false;
+        const Unit *unit = nullptr; ///< displayed with the number
     };
 
     [[nodiscard]] bool isWanted() const { return m_index == m_wanted; }
@@ -117,6 +122,21 @@ private:
         m_paragraphs = 0;
     }
 
+    /// The displayed text counts where it is an error, and for its unit.
+    void takeShown() {
+        const std::string_view shown = withoutBlanks(m_cell.text);
+        const bool isError =
+            (shown.size() > 1 && shown[0] == '#' && shown[1] != '#') || shown.starts_with("Err:");
+        if (isError) {
+            m_cell.number.reset();
+            return;
+        }
+        auto said = cellWithUnit(shown, DecimalMark::point);
+        if (!said)
+            said = cellWithUnit(shown, DecimalMark::comma);
+        m_cell.unit = said && said->size > 0 ? said->unit : nullptr;
+    }
+
     void addRows() {
         // Repeated cells are counted before they are expanded.
         std::size_t repeated = 0;
@@ -130,7 +150,7 @@ private:
                 for (int k = 0; k < each.repeats; ++k) {
                     if (each.isEmptyFormula)
                         m_sheet.addEmptyFormula();
-                    m_sheet.add(each.column + k, each.text, each.number);
+                    m_sheet.add(each.column + k, each.text, each.number, each.unit);
                 }
             }
         }

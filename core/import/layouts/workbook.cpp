@@ -14,7 +14,7 @@
 
 namespace palmer {
 
-void Sheet::add(int column, std::string_view text, std::optional<double> number) {
+void Sheet::add(int column, std::string_view text, std::optional<double> number, const Unit *unit) {
     if (text.empty() && !number)
         return;
     if (column < m_column)
@@ -33,7 +33,9 @@ void Sheet::add(int column, std::string_view text, std::optional<double> number)
     m_begun = true;
     for (; m_column < column; ++m_column)
         m_builder.add("");
-    if (number)
+    if (number && unit)
+        m_builder.add(*number, *unit);
+    else if (number)
         m_builder.add(*number, text);
     else
         m_builder.add(text);
@@ -131,6 +133,8 @@ public:
     }
 
     [[nodiscard]] bool hasTable() const { return m_best != none; }
+    /// True if there are formulas without stored values among its numbers.
+    [[nodiscard]] bool lacksValues() const { return m_emptyFormulas > 0; }
 
     /// Takes what visible sheets without a table state: machine, operator, day, temperatures.
     void takeCovers() const {
@@ -282,7 +286,14 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
                 "decimalMark", REPORT_TEXT("report", "Decimal mark: numbers that "
                                                      "stand there as text can be read in several ways."));
     }
-    readMeasurementTable(choices, imported);
+    try {
+        readMeasurementTable(choices, imported);
+    } catch (const Error &) {
+        if (!chooser.lacksValues())
+            throw;
+        refuseContent(REPORT_TEXT("report", "the values of its formulas are not in the file; open the "
+                                            "workbook in a spreadsheet program and save it"));
+    }
     chooser.takeCovers();
 }
 

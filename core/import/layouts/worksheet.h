@@ -50,7 +50,8 @@ public:
         ++m_emptyFormulas;
         countEmptyFormulas();
     }
-    void add(int column, std::string_view text, std::optional<double> number);
+    /// `unit`: displayed with the number; may be null.
+    void add(int column, std::string_view text, std::optional<double> number, const Unit *unit = nullptr);
     [[nodiscard]] int column() const { return m_column; }
     CellTable take(const Choices &choices);
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/worksheet.h"
+#include "tables/cellunits.h"
 
 #include <QDate>
 #include <QDir>
@@ -111,6 +112,35 @@ XlsxBook bookOf(ZipFile &zip, const QString &part, const QMap<QString, QString> 
 /// How a cell's number is displayed, where relevant.
 enum class Shown { number, time, date };
 
+struct CellStyle {
+    Shown shown = Shown::number;
+    const Unit *unit = nullptr; ///< displayed with the number; may be null
+};
+
+/// The unit behind the digits of a number format: "0.000\" in\"", "0.0\\ °", "0.0µm".
+const Unit *unitShownBy(const QString &code) {
+    // Up to the first semicolon is the format of positive numbers.
+    static const QRegularExpression positive(QStringLiteral(R"(^(?:"[^"]*"|\\.|[^;"\\])*)"));
+    static const QRegularExpression ignored(QStringLiteral(R"(\[[^\]]*\]|_.|\*.)"));
+    static const QRegularExpression behind(
+        QStringLiteral(R"((?:[0#?]|General)((?:"[^"]*"|\\.|[^"\\0#?.,])*)$)"));
+    constexpr qsizetype longestCode = 255;
+    const QString format = positive.match(code.left(longestCode)).captured().remove(ignored);
+    QString text;
+    bool isQuoted = false;
+    const QString literal = behind.match(format).captured(1);
+    for (qsizetype i = 0; i < literal.size(); ++i) {
+        if (literal[i] == u'"')
+            isQuoted = !isQuoted;
+        else if (literal[i] == u'\\' && !isQuoted && i + 1 < literal.size())
+            text += literal[++i];
+        else
+            text += literal[i];
+    }
+    const auto said = cellWithUnit('1' + text.toStdString(), DecimalMark::point);
+    return said && said->size > 0 ? said->unit : nullptr;
+}
+
 /// Display of a number format, without literal text: "dd/mm/yyyy", "[h]:mm:ss", "0.0 \"s\"".
 Shown shownBy(const QString &code) {
     static const QRegularExpression literal(QStringLiteral(R"("[^"]*"|\\.|_.|\*.|\[[^\]]*[^\]hms][^\]]*\])"));
@@ -131,20 +161,22 @@ Shown shownBy(int builtIn) {
 }
 
 /// Display of each style referenced by cells.
-std::vector<Shown> stylesOf(ZipFile &zip, const QString &part) {
+std::vector<CellStyle> stylesOf(ZipFile &zip, const QString &part) {
     constexpr std::size_t mostStyles = 100'000;
-    std::vector<Shown> styles;
-    QMap<int, Shown> own;
+    std::vector<CellStyle> styles;
+    QMap<int, CellStyle> own;
     bool ofCells = false;
     walk(
         zip, part,
         [&](const XmlElement &xml) {
             ofCells |= xml.name == "cellXfs";
             const int number = wholeNumberIn(xml.attribute("numFmtId"));
-            if (xml.name == "numFmt")
-                own[number] = shownBy(inQt(xml.attribute("formatCode")));
-            else if (ofCells && xml.name == "xf" && styles.size() < mostStyles)
-                styles.push_back(own.value(number, shownBy(number)));
+            if (xml.name == "numFmt") {
+                const QString code = inQt(xml.attribute("formatCode"));
+                own[number] = {shownBy(code), unitShownBy(code)};
+            } else if (ofCells && xml.name == "xf" && styles.size() < mostStyles) {
+                styles.push_back(own.value(number, {shownBy(number), nullptr}));
+            }
         },
         [&](std::string_view name) { ofCells = ofCells && name != "cellXfs"; }, noText);
     return styles;
@@ -195,11 +227,11 @@ std::vector<std::string> sharedStrings(ZipFile &zip, const QString &part) {
 /// Data shared by the cells of all sheets.
 struct XlsxCells {
     std::vector<std::string> strings;
-    std::vector<Shown> styles;
+    std::vector<CellStyle> styles;
     double firstDay = 0;
 
-    [[nodiscard]] Shown shown(std::size_t style) const {
-        return style < styles.size() ? styles[style] : Shown::number;
+    [[nodiscard]] CellStyle shown(std::size_t style) const {
+        return style < styles.size() ? styles[style] : CellStyle();
     }
 };
 
@@ -210,13 +242,14 @@ void hideColumns(const XmlElement &column, Sheet &sheet) {
         sheet.hideColumns(first - 1, last - first + 1);
 }
 
-void addNumber(std::string_view value, Shown shown, double firstDay, int column, Sheet &sheet) {
+void addNumber(std::string_view value, const CellStyle &style, double firstDay, int column, Sheet &sheet) {
+    const Shown shown = style.shown;
     const auto number = finiteNumber(value);
     const std::string time = number && shown != Shown::number
                                  ? timeText(*number + (shown == Shown::date ? firstDay : 0), shown)
                                  : std::string();
     if (time.empty())
-        sheet.add(column, value, number);
+        sheet.add(column, value, number, style.unit);
     else
         sheet.add(column, time, {});
 }
@@ -301,7 +334,7 @@ private:
     std::string m_value;
     bool m_inValue = false;
     bool m_isFormula = false;
-    Shown m_shown = Shown::number;
+    CellStyle m_shown;
 };
 
 } // namespace

@@ -90,7 +90,8 @@ QString cellName(int column, int row) {
     return name + QString::number(row + 1);
 }
 
-QByteArray sheetOf(const std::vector<QStringList> &rows, const std::vector<MergedCells> &merged) {
+QByteArray sheetOf(const std::vector<QStringList> &rows, const std::vector<MergedCells> &merged,
+                   const QStringList &formats) {
     QString sheet = R"(<?xml version="1.0" encoding="UTF-8"?><worksheet><sheetData>)";
     for (int r = 0; r < static_cast<int>(rows.size()); ++r) {
         sheet += QString("<row r=\"%1\">").arg(r + 1);
@@ -99,7 +100,12 @@ QByteArray sheetOf(const std::vector<QStringList> &rows, const std::vector<Merge
             bool isNumber = false;
             (void)cells[c].toDouble(&isNumber);
             if (isNumber)
-                sheet += QString("<c r=\"%1\"><v>%2</v></c>").arg(cellName(c, r), cells[c]);
+                sheet += QString("<c r=\"%1\" s=\"%2\"><v>%3</v></c>")
+                             .arg(cellName(c, r))
+                             .arg(c < formats.size() ? c + 1 : 0)
+                             .arg(cells[c]);
+            else if (cells[c].startsWith('='))
+                sheet += QString("<c r=\"%1\"><f>%2</f></c>").arg(cellName(c, r), cells[c].mid(1));
             else if (!cells[c].isEmpty())
                 sheet += QString("<c r=\"%1\" t=\"inlineStr\"><is><t>%2</t></is></c>")
                              .arg(cellName(c, r), cells[c].toHtmlEscaped());
@@ -118,9 +124,44 @@ QByteArray sheetOf(const std::vector<QStringList> &rows, const std::vector<Merge
     return (sheet + "</worksheet>").toUtf8();
 }
 
+QByteArray stylesOf(const QStringList &formats) {
+    QString own;
+    QString ofCells = "<xf numFmtId=\"0\"/>";
+    for (int i = 0; i < static_cast<int>(formats.size()); ++i) {
+        own += QString("<numFmt numFmtId=\"%1\" formatCode=\"%2\"/>")
+                   .arg(200 + i)
+                   .arg(formats[i].toHtmlEscaped());
+        ofCells += QString("<xf numFmtId=\"%1\"/>").arg(200 + i);
+    }
+    return ("<styleSheet><numFmts>" + own + "</numFmts><cellXfs>" + ofCells + "</cellXfs></styleSheet>")
+        .toUtf8();
+}
+
 } // namespace
 
-QByteArray storedWorkbook(const std::vector<QStringList> &rows, const std::vector<MergedCells> &merged) {
+QByteArray storedOds(const std::vector<QStringList> &rows) {
+    QString content =
+        R"(<office:document-content xmlns:office="o" xmlns:table="t" xmlns:text="x"><office:body>)"
+        R"(<office:spreadsheet><table:table table:name="S">)";
+    for (const QStringList &row : rows) {
+        content += "<table:table-row>";
+        for (const QString &cell : row) {
+            const bool isNumber = cell.contains('|');
+            content += isNumber ? QString(R"(<table:table-cell office:value-type="float" office:value="%1">)")
+                                      .arg(cell.section('|', 0, 0))
+                                : QString(R"(<table:table-cell office:value-type="string">)");
+            content += "<text:p>" + cell.section('|', isNumber ? 1 : 0).toHtmlEscaped() +
+                       "</text:p></table:table-cell>";
+        }
+        content += "</table:table-row>";
+    }
+    content += "</table:table></office:spreadsheet></office:body></office:document-content>";
+    return storedZip(
+        {{"mimetype", "application/vnd.oasis.opendocument.spreadsheet"}, {"content.xml", content.toUtf8()}});
+}
+
+QByteArray storedWorkbook(const std::vector<QStringList> &rows, const std::vector<MergedCells> &merged,
+                          const QStringList &formats) {
     return storedZip(
         {{"[Content_Types].xml", "<Types/>"},
          {"xl/workbook.xml",
@@ -128,7 +169,8 @@ QByteArray storedWorkbook(const std::vector<QStringList> &rows, const std::vecto
           R"(</workbook>)"},
          {"xl/_rels/workbook.xml.rels",
           R"(<Relationships><Relationship Id="rId1" Target="worksheets/sheet1.xml"/></Relationships>)"},
-         {"xl/worksheets/sheet1.xml", sheetOf(rows, merged)}});
+         {"xl/styles.xml", stylesOf(formats)},
+         {"xl/worksheets/sheet1.xml", sheetOf(rows, merged, formats)}});
 }
 
 } // namespace palmer::testdata

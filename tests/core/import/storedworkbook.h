@@ -16,8 +16,12 @@ struct MergedCells {
 };
 
 /// A workbook (.xlsx) of one sheet, not compressed: cells that are numbers with a point are numbers, the
-/// others texts.
+/// others texts, but for "=B1", a formula without its value. `formats`: number formats of the columns from
+/// the left on.
 [[nodiscard]] QByteArray storedWorkbook(const std::vector<QStringList> &rows,
-                                        const std::vector<MergedCells> &merged = {});
+                                        const std::vector<MergedCells> &merged = {},
+                                        const QStringList &formats = {});
+/// An .ods of one sheet: "3.5|3.50 in" is the number 3.5, which is displayed so; other cells are texts.
+[[nodiscard]] QByteArray storedOds(const std::vector<QStringList> &rows);
 
 } // namespace palmer::testdata

@@ -3,6 +3,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "core/import/importpicture.h"
+#include "core/import/storedworkbook.h"
 #include "tables/units.h"
 
 #include <QTest>
@@ -159,6 +160,68 @@ private slots:
             QCOMPARE(choiceOf(imported, "columns"), "target,run+1,run-1");
             QVERIFY(!find(imported, "positionUnit"));
         }
+    }
+
+    /// A unit that a workbook only displays, by a number format or in the text of a cell.
+    void takesDisplayedUnits_data() {
+        QTest::addColumn<QString>("target"); ///< its number format
+        QTest::addColumn<QString>("reading");
+        QTest::addColumn<QString>("units"); ///< as read
+        QTest::newRow("quoted") << "0.000\" in\""
+                                << "0.0\" µin\""
+                                << "in uin";
+        QTest::newRow("unquoted signs") << "0.00°"
+                                        << "0.0″"
+                                        << "deg arcsec";
+        QTest::newRow("escaped") << "0.0\\ \\m\\m;-0.0\\ \\m\\m"
+                                 << "#,##0.00\" µm\""
+                                 << "mm um";
+        QTest::newRow("of any number") << "General\" mm\""
+                                       << "[Red]0.0\"nm\""
+                                       << "mm nm";
+        QTest::newRow("no unit") << "0.0\" pcs\""
+                                 << "0.0%"
+                                 << "mm um";
+    }
+    void takesDisplayedUnits() {
+        QFETCH(QString, target);
+        QFETCH(QString, reading);
+        QFETCH(QString, units);
+        const std::vector<QStringList> rows{{"Position", "Forward", "Reverse"},
+                                            {"0", "1.5", "-2.5"},
+                                            {"30.25", "3", "4"},
+                                            {"60.5", "0.00004", "6"}};
+        const Imported imported =
+            showMeasurement(testdata::storedWorkbook(rows, {}, {target, reading, reading}), "x.xlsx");
+        QVERIFY(!imported.refusal);
+        QCOMPARE(choiceOf(imported, "positionUnit") + ' ' + choiceOf(imported, "unit"), units);
+        QCOMPARE(find(imported, "unit") != nullptr, reading == "0.0%");
+        const auto &test = std::get<PositioningMeasurement>(imported.test->measurement);
+        QCOMPARE(test.targets.at(1), unitOf(choiceOf(imported, "positionUnit").toStdString())->toBase(30.25));
+        QCOMPARE(test.runs.at(0).deviations.at(2).value(),
+                 unitOf(choiceOf(imported, "unit").toStdString())->toBase(0.00004));
+    }
+
+    void takesDisplayedTexts() {
+        const Imported inches =
+            showMeasurement(testdata::storedOds({{"Position", "Forward (µin)", "Reverse (µin)"},
+                                                 {"0|0,000 in", "1.25|1,3", "2|2"},
+                                                 {"3.9375|3,938 in", "3|3", "4|4"},
+                                                 {"7.875|7,875 in", "5|5", "6|6"}}),
+                            "x.ods");
+        QCOMPARE(choiceOf(inches, "positionUnit"), "in");
+        QVERIFY(!find(inches, "positionUnit"));
+        QCOMPARE(std::get<PositioningMeasurement>(inches.test->measurement).targets.at(1), 3.9375 * 25.4);
+        const Imported broken =
+            showMeasurement(testdata::storedOds({{"Position (mm)", "Forward (µm)", "Reverse (µm)"},
+                                                 {"0|0", "1.25|1.3", "2|###"},
+                                                 {"100|100", "0|#DIV/0!", "4|4"},
+                                                 {"200|200", "5|5", "0|Err:502"}}),
+                            "x.ods");
+        const auto &test = std::get<PositioningMeasurement>(broken.test->measurement);
+        QVERIFY(test.runs.at(0).deviations.at(0) && test.runs.at(1).deviations.at(0));
+        QVERIFY(!test.runs.at(0).deviations.at(1) && !test.runs.at(1).deviations.at(2));
+        QVERIFY(find(broken, "unread"));
     }
 
     /// Who knows the unit says it, where it does not move the axis the other way.
