@@ -185,6 +185,20 @@ void resolveDirections(FoundPasses &found, TableReading &reading) {
         askForDirections(choice.value, found, reading);
 }
 
+namespace {
+
+/// True if ↓ precedes ↑ of the same number.
+bool hasDownFirst(const std::vector<PlacedPass> &placed) {
+    std::set<unsigned> down;
+    return std::ranges::any_of(placed, [&](const PlacedPass &each) {
+        if (each.direction == Direction::negative)
+            down.insert(each.number);
+        return each.direction == Direction::positive && down.contains(each.number);
+    });
+}
+
+} // namespace
+
 std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading) {
     std::set<unsigned> numbers;
     std::set<std::pair<unsigned, Direction>> numbersOfDirections;
@@ -206,10 +220,13 @@ std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading)
         return std::pair(each.number, *each.direction == Direction::negative);
     };
     if (numbersOfDirections.size() == placed.size()) {
-        if (both && inTurn && !std::ranges::is_sorted(placed, {}, place))
+        if (both && inTurn && hasDownFirst(placed))
             reading.remarks.note({},
                                  REPORT_TEXT("report", "Order of the runs: in the table, ↓ comes before ↑ "
                                                        "of the same number; ↑ is put first."));
+        else if (!std::ranges::is_sorted(placed, {}, &PlacedPass::number) && both && inTurn)
+            reading.remarks.note({}, REPORT_TEXT("report", "Order of the runs: that of their numbers, not "
+                                                           "that of the table."));
         std::ranges::stable_sort(placed, {}, place);
     }
     std::vector<Pass> passes;

@@ -60,6 +60,7 @@ private slots:
     void aSignProvenByPositionsIsSaid();
     void aDirectionAboveTheTargetsIsDoubted();
     void anotherOrderOfDirectionsIsSaid();
+    void anOrderOfRunsIsNoOrderOfDirections();
     void anOrderThatIsNotStatedIsInTurn_data();
     void anOrderThatIsNotStatedIsInTurn();
     void directionsOfFarPositionsAreGuessedAsOfNearOnes();
@@ -273,7 +274,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("a broken number", "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 – / ↓ 2 4 / unread");
     row("thousands in targets", "P (mm);1↑ (µm);1↓ (µm)\n0,5;1,5;2,5\n1.250,5;3,5;4,5\n500,5;3,5;4,5\n",
-        "target,run+1,run-1 / 0.5 500.5 / ↑ 1.5 3.5 / ↓ 2.5 4.5 / unread");
+        "target,run+1,run-1 / 0.5 500.5 1250.5 / ↑ 1.5 3.5 3.5 / ↓ 2.5 4.5 4.5 / ");
     row("a column without heading", "P (mm);1↑ (µm);1↓ (µm);\n0;1;2;7.5\n100;3;4;7.25\n",
         "target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / columns columns");
     row("no direction beside directions", "P (mm);Dev 1↑ (µm);Dev 1↓ (µm);Dev (µm)\n0;1;2;7\n100;3;4;8\n",
@@ -1068,6 +1069,15 @@ void LayoutsTest::directionsOfFarPositionsAreGuessedAsOfNearOnes() {
         QVERIFY(question != imported.questions.end());
         QCOMPARE(QString::fromStdString(question->proposal), QString("sideBySide"));
     }
+}
+
+/// Runs in another order than that of their numbers, ↑ before ↓ of each.
+void LayoutsTest::anOrderOfRunsIsNoOrderOfDirections() {
+    const QString remarks = testdata::remarks(importMeasurement(
+        "P (mm);Run 3 up (µm);Run 3 down (µm);Run 1 up (µm);Run 1 down (µm)\n0;1;2;3;4\n100;5;6;7;8\n",
+        "x.csv"));
+    QVERIFY2(remarks.contains("that of their numbers") && !remarks.contains("↓ comes before ↑"),
+             qPrintable(remarks));
 }
 
 void LayoutsTest::namesAllColumnsLeftOut() {
