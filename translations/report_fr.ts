@@ -8354,6 +8354,18 @@
         <translation>Disposition&#xa0;: le bloc qui commence ici ne dit pas quelles passes il contient&#x202f;; il est lu comme d’autres passes du même essai.</translation>
     </message>
     <message>
+        <source>Order of the runs: that of their numbers, not that of the table.</source>
+        <translation>Ordre des passes&#xa0;: celui de leurs numéros, non celui du tableau.</translation>
+    </message>
+    <message>
+        <source>“%1” has another decimal mark than other numbers of the table, or thousands separators; write all with one decimal mark</source>
+        <translation>«&#xa0;%1&#xa0;» a un autre séparateur décimal que d’autres nombres du tableau, ou des séparateurs de milliers&#x202f;; écrire tous les nombres avec un seul séparateur décimal</translation>
+    </message>
+    <message>
+        <source>the values of its formulas are not in the file; open the workbook in a spreadsheet program and save it</source>
+        <translation>les valeurs de ses formules ne figurent pas dans le fichier&#x202f;; ouvrir le classeur dans un tableur et l’enregistrer</translation>
+    </message>
+    <message>
         <source>the other way round than the file says</source>
         <translation>à l’inverse de ce qu’indique le fichier</translation>
     </message>

@@ -115,8 +115,12 @@ bool isGrouped(std::string_view text, DecimalMark mark) {
            leadingNumber(joined, other).size == joined.size();
 }
 
-/// The number without the blanks between its thousands: "1 000,5"; empty if they do not stand so.
-std::string withoutThousands(std::string_view text) {
+/// The number without the signs between its thousands: "1 000,5", "1'000", with both marks "1.000,5"; empty
+/// if they do not stand so.
+std::string withoutThousands(std::string_view text, DecimalMark mark) {
+    const char point = mark == DecimalMark::point ? '.' : ',';
+    const char comma = mark == DecimalMark::point ? ',' : '.';
+    const bool hasBoth = text.find(point) != std::string_view::npos;
     std::string joined;
     std::size_t digits = 0; // since the last blank
     std::size_t blanks = 0;
@@ -125,7 +129,8 @@ std::string withoutThousands(std::string_view text) {
         const std::string_view rest = text.substr(i);
         const auto *const wide =
             std::ranges::find_if(wideBlanks, [&](std::string_view each) { return rest.starts_with(each); });
-        const std::size_t blank = wide != wideBlanks.end() ? wide->size() : rest[0] == ' ' ? 1 : 0;
+        const bool isSign = rest[0] == ' ' || rest[0] == '\'' || (hasBoth && rest[0] == comma);
+        const std::size_t blank = wide != wideBlanks.end() ? wide->size() : isSign ? 1 : 0;
         if (blank > 0) {
             if (digits == 0 || digits > 3 || (blanks > 0 && digits != 3) || !isWhole)
                 return {};
@@ -297,7 +302,7 @@ CellValue readCell(std::string_view cell, DecimalMark mark) {
     }
     if (!looksLikeNumber(cell))
         return {CellKind::text};
-    if (const std::string joined = withoutThousands(cell); !joined.empty()) {
+    if (const std::string joined = withoutThousands(cell, mark); !joined.empty()) {
         const LeadingNumber whole = leadingNumber(joined, mark);
         if (whole.size == joined.size())
             return {CellKind::number, whole.value};

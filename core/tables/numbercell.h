@@ -27,7 +27,8 @@ struct CellValue {
 };
 
 /// Reads a cell, ignoring blanks around it. Sign, digits with at most one decimal mark, exponent; U+2212 and
-/// the dashes that word processors use instead are a minus; blanks may part thousands ("1 234.5"). Anything
+/// the dashes that word processors use instead are a minus; blanks and apostrophes may part thousands
+/// ("1 234.5"), and so may the other mark in a number that has both ("1,234.5"). Anything
 /// else is not a number: "32.56" with a comma as mark is `grouped`, not 3256, and "inf" is `broken`.
 [[nodiscard]] CellValue readCell(std::string_view cell, DecimalMark mark);
 

@@ -242,13 +242,30 @@ bool hasReading(const PlacedPass &placed) {
     return !std::ranges::all_of(placed.pass.readings, &PassReading::isMissing);
 }
 
+/// Numbers with both marks are in the file, of which one reading takes only one.
+[[noreturn]] void refuseUnreadNumbers(const TableReading &reading) {
+    for (const TableBlock &block : reading.body.blocks) {
+        for (const std::uint32_t row : block.rows) {
+            const auto cells = reading.table().cells(reading.row(row));
+            const auto cell = std::ranges::find(cells, CellKind::grouped, &TableCell::kind);
+            if (cell != cells.end())
+                refuseContentAt(placeOfLine(reading.row(row).line),
+                                REPORT_TEXT("report",
+                                            "“%1” has another decimal mark than other numbers of the table, "
+                                            "or thousands separators; write all with one decimal mark"),
+                                excerpt(reading.table().text(*cell)));
+        }
+    }
+    refuseWithoutReadings();
+}
+
 } // namespace
 
 void readPositioning(TableReading &reading) {
     const std::string layout = resolveLayout(reading);
     FoundPasses found = layout == "runsDown" ? readRunsDown(reading) : readTargetsDown(reading);
     if (std::ranges::none_of(found.passes, hasReading))
-        refuseWithoutReadings();
+        refuseUnreadNumbers(reading);
     askForOtherQuantity(reading);
     askForOtherUnit(found, reading);
     if (!reading.notes.days.empty())

@@ -49,6 +49,10 @@ void NumberCellTest::readsNumbers_data() {
     QTest::newRow("largest") << QByteArray("1.7976931348623157e308") << false << 1.7976931348623157e308;
     QTest::newRow("thousands, French") << QByteArray("1\u202F234,5") << true << 1234.5;
     QTest::newRow("thousands, blank") << QByteArray("1 234.5") << false << 1234.5;
+    QTest::newRow("thousands, English") << QByteArray("1,234.5") << false << 1234.5;
+    QTest::newRow("thousands, German") << QByteArray("1.234,5") << true << 1234.5;
+    QTest::newRow("thousands, Swiss") << QByteArray("1'234.5") << false << 1234.5;
+    QTest::newRow("millions") << QByteArray("-1,234,567.5") << false << -1234567.5;
     QTest::newRow("smallest") << QByteArray("4.9406564584124654e-324") << false << 4.9406564584124654e-324;
 }
 
@@ -68,13 +72,12 @@ void NumberCellTest::refusesWhatIsNone_data() {
     QTest::addColumn<CellKind>("kind");
     QTest::newRow("the other mark: never 3256") << QByteArray("32,56") << false << CellKind::grouped;
     QTest::newRow("the other mark under comma") << QByteArray("32.56") << true << CellKind::grouped;
-    QTest::newRow("thousands, English") << QByteArray("1,234.5") << false << CellKind::grouped;
-    QTest::newRow("thousands, German") << QByteArray("1.234,5") << true << CellKind::grouped;
+    QTest::newRow("thousands without decimals") << QByteArray("1,234") << false << CellKind::grouped;
+    QTest::newRow("the other mark behind the mark") << QByteArray("1.234,5") << false << CellKind::grouped;
+    QTest::newRow("thousands of two digits") << QByteArray("1,23.5") << false << CellKind::broken;
     QTest::newRow("blank after four digits") << QByteArray("1234 567.5") << false << CellKind::grouped;
     QTest::newRow("nought before a blank") << QByteArray("0 150") << false << CellKind::grouped;
     QTest::newRow("blank before two digits") << QByteArray("1 23.5") << false << CellKind::broken;
-    QTest::newRow("thousands, Swiss") << QByteArray("1'234.5") << false << CellKind::grouped;
-    QTest::newRow("millions") << QByteArray("1,234,567.5") << false << CellKind::grouped;
     QTest::newRow("two marks") << QByteArray("-4,,7") << true << CellKind::broken;
     QTest::newRow("two signs") << QByteArray("--4") << false << CellKind::broken;
     QTest::newRow("sign behind") << QByteArray("4-") << false << CellKind::broken;

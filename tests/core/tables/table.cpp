@@ -121,9 +121,9 @@ void TableTest::readsTables_data() {
         << QByteArray("12\"\t5\n1.5\t2.5\n\"open\t3\n") << "\"12\"\"|5\n1.5|2.5\n\"\"open\"|3";
     QTest::newRow("broken numbers") << QByteArray("0,5;-4,,7\n1,5;2.5\n3,5;4,5\n")
                                     << "0.5|!-4,,7!\n1.5|!2.5!\n3.5|4.5";
-    QTest::newRow("thousands are refused")
+    QTest::newRow("thousands between both marks")
         << QByteArray("1.050,02;5,5\n1.201,90;0,5\n5,5;6,5\n7,5;8,5\n9,5;0,5\n")
-        << "!1.050,02!|5.5\n!1.201,90!|0.5\n5.5|6.5\n7.5|8.5\n9.5|0.5";
+        << "1050.02|5.5\n1201.9|0.5\n5.5|6.5\n7.5|8.5\n9.5|0.5";
     QTest::newRow("list with words") << QByteArray("1 0.0 up 1 -3.5\n2 5.0 up 1 0.25\n")
                                      << "1|0|\"up\"|1|-3.5\n2|5|\"up\"|1|0.25";
     QTest::newRow("no line end, one cell") << QByteArray("7") << "7";

@@ -3,6 +3,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "core/import/importpicture.h"
+#include "core/import/storedworkbook.h"
 
 #include "document/edits.h"
 #include "kernel/evaluation/edition.h"
@@ -185,6 +186,37 @@ private slots:
         QCOMPARE(measurementOf(imported).conditions.feed.value(), 900.0);
         QVERIFY2(testdata::remarks(imported).contains("not read: Hall."),
                  qPrintable(testdata::remarks(imported)));
+    }
+
+    /// Thousands that both marks, or an apostrophe, make plain.
+    void takesThousands() {
+        for (const char *rows : {"0,00;0,4;1,4\n500,50;1,2;2,2\n1.250,75;2,5;3,5\n",
+                                 "0.00;0.4;1.4\n500.50;1.2;2.2\n1,250.75;2.5;3.5\n",
+                                 "0.00;0.4;1.4\n500.50;1.2;2.2\n1'250.75;2.5;3.5\n"}) {
+            const Imported imported =
+                importMeasurement(QByteArray("Target (mm);Up 1 (µm);Down 1 (µm)\n") + rows, "x.csv");
+            QVERIFY2(std::ranges::all_of(imported.questions, &Question::canBeAssumed),
+                     qPrintable(testdata::questions(imported)));
+            QCOMPARE(measurementOf(imported).targets.at(2), 1250.75);
+        }
+        for (const char *rows : {"0,000;0.4;1.4\n500,500;1.2;2.2\n1250,250;2.5;3.5\n",
+                                 "0.000;0,4;1,4\n500.500;1,2;2,2\n1250.250;2,5;3,5\n"}) {
+            const Imported mixed =
+                showMeasurement(QByteArray("Target (mm);Up 1 (µm);Down 1 (µm)\n") + rows, "x.csv");
+            QVERIFY(mixed.refusal);
+            const QString sentence = Language(Language::Id::english).sentence(mixed.refusal->message);
+            QVERIFY2(sentence.contains("decimal mark"), qPrintable(sentence));
+        }
+    }
+
+    void namesFormulasWithoutValues() {
+        const Imported imported =
+            showMeasurement(testdata::storedWorkbook(
+                                {{"Target (mm)", "Up 1 (µm)"}, {"0", "=B1"}, {"100", "=B2"}, {"200", "=B3"}}),
+                            "x.xlsx");
+        QVERIFY(imported.refusal);
+        const QString sentence = Language(Language::Id::english).sentence(imported.refusal->message);
+        QVERIFY2(sentence.contains("formulas"), qPrintable(sentence));
     }
 
     /// Blocks that are titled as runs, or as measured on one day.
