@@ -176,6 +176,7 @@ private:
         case NoteFact::plane:
             return takeLetters(m.plane, R"(^([XYZ]{2})\b)", said);
         case NoteFact::date:
+        case NoteFact::day:
         case NoteFact::time:
             return takeDay(said);
         case NoteFact::feed:

@@ -23,6 +23,10 @@ struct LabelRow {
     WordList others;
 };
 
+constexpr WordList dayOthers =
+    " test on am vom le du de del della d l of the essai mesure measurement der prufung messung prova misura "
+    "ensayo medicion and time et heure und uhrzeit e ora y hora ";
+
 constexpr std::array labelRows{
     LabelRow{NoteFact::machine,
              "machine,maschine,macchina,maquina,werkzeugmaschine,maschinenname,maschinenbezeichnung",
@@ -47,14 +51,13 @@ constexpr std::array labelRows{
              " name nom nome nombre measured tested test mesure essai essaye under the of de "},
     LabelRow{NoteFact::plane, "plane,plan,ebene,piano,plano,messebene",
              " test measurement mesure essai the of de "},
-    LabelRow{
-        NoteFact::date,
-        "date,datum,data,fecha,day,tag,jour,giorno,dia,messdatum,messtag,prufdatum,pruefdatum,prufung "
-        "vom,messung vom,"
-        "measured,tested,gemessen,gepruft,geprueft,mesure,misurato,medido,started,start,begin,debut",
-        " test on am vom le du de del della d l of the essai mesure measurement der prufung messung prova "
-        "misura "
-        "ensayo medicion and time et heure und uhrzeit e ora y hora "},
+    LabelRow{NoteFact::date,
+             "date,datum,data,fecha,day,tag,jour,giorno,dia,messdatum,messtag,prufdatum,pruefdatum,prufung "
+             "vom,messung vom",
+             dayOthers},
+    LabelRow{NoteFact::day,
+             "measured,tested,gemessen,gepruft,geprueft,mesure,misurato,medido,started,start,begin,debut",
+             dayOthers},
     LabelRow{NoteFact::time, "time,heure,uhrzeit,zeit,ora,hora,start",
              " of the test start de d l essai mesure measurement der messung prufung debut "},
     LabelRow{NoteFact::feed,
@@ -207,6 +210,13 @@ std::optional<NoteFact> factOf(std::string_view label) {
     const auto row =
         std::ranges::find_if(labelRows, [&](const LabelRow &each) { return isNamed(each, words); });
     return row == labelRows.end() ? std::nullopt : std::optional(row->fact);
+}
+
+std::optional<NoteFact> factOfWholeTest(std::string_view label) {
+    constexpr std::array whole{NoteFact::machine, NoteFact::serialNumber, NoteFact::operatorName,
+                               NoteFact::date, NoteFact::feed};
+    const auto fact = factOf(label);
+    return fact && std::ranges::find(whole, *fact) != whole.end() ? fact : std::nullopt;
 }
 
 bool namesMachine(std::string_view label) {

@@ -18,6 +18,7 @@ enum class NoteFact {
     axis,
     plane,
     date,
+    day, ///< a word that names the day only where a date follows: "Measured", "Start"
     time,
     feed,
     airPressure,
@@ -29,6 +30,10 @@ enum class NoteFact {
 /// Null for "Calibrated by", "Reference temperature", "Encoder serial no": a label with other words names
 /// something else.
 [[nodiscard]] std::optional<NoteFact> factOf(std::string_view label);
+
+/// The fact that a label or the heading of a column names, if it is one for all readings of a test, so that
+/// another value is of another test: machine, serial number, operator, date, feed. Null for any other words.
+[[nodiscard]] std::optional<NoteFact> factOfWholeTest(std::string_view label);
 
 /// True for a label that names an instrument and no machine: "Laser", "Messgerät".
 [[nodiscard]] bool namesInstrument(std::string_view label);

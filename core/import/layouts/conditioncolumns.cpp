@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/conditioncolumns.h"
 
-#include "import/layouts/conditionwords.h"
 #include "import/layouts/sections.h"
+#include "import/notelabels.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
@@ -17,14 +17,14 @@ namespace {
 /// A column that names a condition of each line.
 struct ConditionColumn {
     std::size_t column = 0;
-    Condition condition = Condition::machine;
+    NoteFact condition = NoteFact::machine;
     std::vector<std::string> values = {}; ///< the different ones, in file order
 };
 
 /// A cell without the time of day behind its date.
-std::string valueOf(std::string_view cell, Condition condition) {
+std::string valueOf(std::string_view cell, NoteFact condition) {
     const std::size_t end = cell.find_first_of(" T");
-    const bool hasTime = condition == Condition::date && isDate(cell.substr(0, end));
+    const bool hasTime = condition == NoteFact::date && isDate(cell.substr(0, end));
     return std::string(hasTime ? cell.substr(0, end) : cell);
 }
 
@@ -56,7 +56,7 @@ private:
     [[nodiscard]] std::optional<ConditionColumn> conditionIn(std::size_t c) const {
         constexpr std::size_t most = 20;
         const TableColumn &head = m.body.columns[c];
-        const auto condition = conditionNamed(head.heading);
+        const auto condition = factOfWholeTest(head.heading);
         const ColumnRole role = m_result.columns[c].role;
         if (!condition || head.kind == ColumnKind::empty ||
             (role != ColumnRole::ignored && role != ColumnRole::time))
@@ -78,25 +78,26 @@ private:
     }
 
     /// Uses a value for all lines. False if the test has no place for it.
-    bool state(Condition condition, std::size_t c, const std::string &value) {
+    bool state(NoteFact condition, std::size_t c, const std::string &value) {
         const auto fill = [&](std::string &field) {
             if (field.empty())
                 field = value;
             return field == value;
         };
         switch (condition) {
-        case Condition::machine:
+        case NoteFact::machine:
             return fill(m.notes.machine);
-        case Condition::serialNumber:
+        case NoteFact::serialNumber:
             return fill(m.notes.serialNumber);
-        case Condition::operatorName:
+        case NoteFact::operatorName:
             return fill(m.notes.operatorName);
-        case Condition::date:
+        case NoteFact::date:
             return stateDay(value);
-        case Condition::feed:
+        case NoteFact::feed:
             return stateFeed(c, value);
+        default:
+            return false;
         }
-        return false;
     }
 
     bool stateDay(const std::string &value) {

@@ -3,9 +3,9 @@
 #include "import/layouts/tablebody.h"
 
 #include "import/filenotes.h"
-#include "import/layouts/conditionwords.h"
 #include "import/layouts/phrases.h"
 #include "import/layouts/sections.h"
+#include "import/notelabels.h"
 #include "kernel/words/characters.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
@@ -116,7 +116,7 @@ bool couldBeLabel(std::string_view text) {
 
 /// The name of a condition: a time of day is no reading, a run is no condition.
 bool namesCondition(std::string_view text) {
-    return conditionNamed(text) ||
+    return factOfWholeTest(text) ||
            (couldBeLabel(text) && (readHeading(text).meaning == Meaning::time || !tellsReadings(text)));
 }
 
@@ -133,7 +133,7 @@ std::size_t statementAt(std::span<const std::string_view> texts) {
     const std::string_view value = texts[1];
     if (texts.size() > 2 && isQuantity(value, texts[2]))
         return 3;
-    const bool isName = conditionNamed(label) && !conditionNamed(value) && !tellsReadings(value);
+    const bool isName = factOfWholeTest(label) && !factOfWholeTest(value) && !tellsReadings(value);
     const bool isLetter = value.size() == 1 && readHeading(label).meaning == Meaning::axis;
     const bool isValue = sign != std::string_view::npos || isName || isLetter || isDate(value) ||
                          clockTime(value) || numberIn(value) || isQuantity(value, {});
