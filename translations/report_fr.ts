@@ -7331,7 +7331,7 @@
     </message>
     <message>
         <source>a choice of the import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …), or a field of the test file by its path (machine.name=DMU 50, limits.A.value=20um: of every test, tests[0].title=…), numbers with any unit that fits (500 mm, 2 m/min, 22.5 °C); may stand several times</source>
-        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …), ou un champ du fichier d’essai par son chemin (machine.name=DMU 50, limits.A.value=20um&#xa0;: de chaque essai, tests[0].title=…), les nombres avec toute unité qui convient (500&#xa0;mm, 2&#xa0;m/min, 22.5&#xa0;°C)&#x202f;; peut figurer plusieurs fois</translation>
+        <translation>un choix de l’import (unit=um, decimalMark=comma, axis=X, columns=target,run+,run-, …), ou un champ du fichier d’essai par son chemin (machine.name=DMU 50, limits.A.value=20um&#xa0;: de chaque essai, tests[0].title=…), les nombres avec toute unité qui convient (500&#xa0;mm, 2&#xa0;m/min, 22,5&#xa0;°C)&#x202f;; peut figurer plusieurs fois</translation>
     </message>
     <message>
         <source>%1 and %2 would both be written as %3; choose another name</source>
@@ -8047,7 +8047,7 @@
     </message>
     <message>
         <source>Every other key is the path of a field of the test file, as its schema has it: machine.name, limits.A.value (of every test), tests[0].title. Limits, deviations and resolutions say their unit: 20um, 5arcsec. Other numbers may have any unit that fits: 500 mm, 2 m/min, 22.5 °C; without one they are in the unit of the file.</source>
-        <translation>Toute autre clé est le chemin d’un champ du fichier d’essai, tel que le schéma le donne&#xa0;: machine.name, limits.A.value (de chaque essai), tests[0].title. Limites, écarts et résolutions disent leur unité&#xa0;: 20um, 5arcsec. Les autres nombres admettent toute unité qui convient&#xa0;: 500&#xa0;mm, 2&#xa0;m/min, 22.5&#xa0;°C&#x202f;; sans unité, ils sont dans celle du fichier.</translation>
+        <translation>Toute autre clé est le chemin d’un champ du fichier d’essai, tel que le schéma le donne&#xa0;: machine.name, limits.A.value (de chaque essai), tests[0].title. Limites, écarts et résolutions disent leur unité&#xa0;: 20um, 5arcsec. Les autres nombres admettent toute unité qui convient&#xa0;: 500&#xa0;mm, 2&#xa0;m/min, 22,5&#xa0;°C&#x202f;; sans unité, ils sont dans celle du fichier.</translation>
     </message>
     <message>
         <source>there is no report in the folder</source>

@@ -3,6 +3,7 @@
 #include "document/fieldpath.h"
 
 #include "document/documenterror.h"
+#include "document/fileunit.h"
 #include "document/json.h"
 #include "document/writedocument.h"
 
@@ -84,6 +85,10 @@ std::vector<json> meaningsOf(std::string_view value) {
         result.push_back(std::move(literal));
     result.emplace_back(std::string(value));
     return result;
+}
+
+unsigned demandsIn(unsigned ofStruct, unsigned own) {
+    return fileUnitOf(own) == FileUnit::none ? own | ofStruct : own;
 }
 
 } // namespace palmer

@@ -34,6 +34,10 @@ void setAt(nlohmann::json &place, std::span<const FieldStep> steps, const nlohma
 /// Returns the test file of a document as JSON.
 [[nodiscard]] nlohmann::json fileOf(const Document &document);
 
+/// Returns the demands of a field of a struct: without a unit of its own it has that of its struct, with its
+/// demands.
+[[nodiscard]] unsigned demandsIn(unsigned ofStruct, unsigned own);
+
 /// Returns the possible meanings of a value, the most likely first: a JSON literal, a number with a comma,
 /// the text itself.
 [[nodiscard]] std::vector<nlohmann::json> meaningsOf(std::string_view value);

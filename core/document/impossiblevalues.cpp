@@ -97,7 +97,7 @@ public:
 
     template <class T>
     void operator()(const char *key, const T &member, unsigned demands = nothing) {
-        check(member, Place(m_place, key), demands == nothing ? m_inherited : demands);
+        check(member, Place(m_place, key), demandsIn(m_inherited, demands));
     }
     void object(const char *key, const auto &members) {
         const Place place(m_place, key);

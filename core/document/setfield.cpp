@@ -55,7 +55,7 @@ public:
     template <class T>
     void operator()(const char *key, const T &member, unsigned demands = nothing) {
         if (leadsTo(key))
-            m_found = at(member, m_steps.subspan(1), demands == nothing ? m_inherited : demands);
+            m_found = at(member, m_steps.subspan(1), demandsIn(m_inherited, demands));
     }
     void object(const char *key, const auto &members) {
         if (!leadsTo(key))

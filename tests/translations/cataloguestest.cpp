@@ -122,6 +122,8 @@ const QSet<QString> neverOne{
     "%1 in %2 years", // with a decimal
     "%1 machines may be meant by “%2”: %3; say the number before its name",
     "the number of a history has at most %1 characters",
+    "x_ij is actual position minus target position; %1 counts targets, %2 runs; ↑ and ↓ are approaches in "
+    "the positive and the negative direction. A clause that is not known is not printed.", // letters
 };
 
 } // namespace

@@ -32,12 +32,7 @@ public:
 private:
     template <class T>
     void spoil(T &member, unsigned demands) {
-        if constexpr (std::is_same_v<T, std::optional<double>>) {
-            if ((demands & questioned) != 0) {
-                member = -1;
-                ++m_spoiled;
-            }
-        } else if constexpr (requires { fields(*this, member); }) {
+        if constexpr (std::is_class_v<T> && requires { fields(*this, member); }) {
             const unsigned before = std::exchange(m_inherited, demands);
             fields(*this, member);
             m_inherited = before;
@@ -57,8 +52,14 @@ private:
     }
     template <class T>
     void spoil(std::optional<T> &member, unsigned demands) {
-        if (member)
+        if constexpr (std::is_same_v<T, double>) {
+            if ((demands & questioned) != 0) {
+                member = -1;
+                ++m_spoiled;
+            }
+        } else if (member) {
             spoil(*member, demands);
+        }
     }
 
     unsigned m_inherited = nothing;
