@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/conditioncolumns.h"
 
-#include "import/layouts/sections.h"
 #include "import/notelabels.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/worksheet.h"
-#include "kernel/words/characters.h"
 #include "tables/cellunits.h"
 #include "tables/contenterror.h"
 

@@ -77,6 +77,22 @@ void takeUnitColumn(ColumnSearch &search) {
     }
 }
 
+/// "(sec)" above readings is a unit of time, which readings have not: quotes it as the heading has it.
+void quoteForeignUnit(ColumnSearch &search) {
+    SaidUnit &said = search.result.unit;
+    if (!said.unit || said.unit->kind == UnitKind::length || said.unit->kind == UnitKind::angle)
+        return;
+    for (const std::size_t c : search.result.values) {
+        const std::string_view heading = search.reading.body.columns[c].heading;
+        const std::size_t open = heading.find_last_of("([");
+        const std::size_t close = heading.find_last_of(")]");
+        if (open != std::string_view::npos && close != std::string_view::npos && close > open + 1) {
+            said = {nullptr, std::string(heading.substr(open + 1, close - open - 1))};
+            return;
+        }
+    }
+}
+
 /// "Status", "Valid", "gültig": marks that differ from line to line, so that some readings are not like the
 /// others.
 bool marksReadings(const ColumnSearch &search, std::size_t c) {
@@ -227,6 +243,7 @@ void resolve(ColumnSearch &search) {
                                             "of the readings are not known; give the columns their roles"));
     placeOwnTargets(search.result);
     takeUnitColumn(search);
+    quoteForeignUnit(search);
     takeConditions(m, search.result);
     remarkIgnored(search);
 }

@@ -242,7 +242,7 @@ bool hasReading(const PlacedPass &placed) {
     return !std::ranges::all_of(placed.pass.readings, &PassReading::isMissing);
 }
 
-/// Numbers with both marks are in the file, of which one reading takes only one.
+/// Points and commas are mixed, so that one of them leaves no pair of target and reading.
 [[noreturn]] void refuseUnreadNumbers(const TableReading &reading) {
     for (const TableBlock &block : reading.body.blocks) {
         for (const std::uint32_t row : block.rows) {

@@ -6,11 +6,9 @@
 #include "import/filenotes.h"
 #include "import/layouts/sections.h"
 #include "kernel/words/characters.h"
-#include "tables/dates.h"
 #include "tables/folded.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace palmer {

@@ -103,6 +103,8 @@ private slots:
             << "furlong";
         QTest::newRow("angles along a length") << tableWith(" (mm)", " (arcsec)") << "unit"
                                                << "″";
+        QTest::newRow("seconds of time or of arc") << tableWith(" (deg)", " (sec)") << "unit"
+                                                   << "“sec”";
         QTest::newRow("pitch")
             << QByteArray("Position (mm);Pitch (µrad) forward;Pitch (µrad) reverse\n0;1;2\n90;2;3\n")
             << "unit"
