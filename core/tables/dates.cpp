@@ -72,8 +72,9 @@ std::optional<std::string> isoDate(std::string_view text) {
     static const QRegularExpression named(
         QStringLiteral(
             R"((?<!\d)(\d{1,2})(?:st|nd|rd|th|er)?[.]?[\s-]+(?:de\s+)?(\p{L}{3,})[.,]?[\s-]+(?:de\s+)?(\d{4})(?!\d))"
-            R"(|(?<!\p{L})(\p{L}{3,})\.?\s+(\d{1,2})(?:st|nd|rd|th)?,?\s+(\d{4})(?!\d))"), // 13 March, March
-                                                                                           // 13
+            R"(|(?<!\p{L})(\p{L}{3,})\.?\s+(\d{1,2})(?:st|nd|rd|th)?)"
+            R"((?:\s+\d{1,2}:\d{2}(?::\d{2})?(?:\s+\p{L}{2,5})?)?,?\s+(\d{4})(?!\d))"), // 13 March, March 13
+                                                                                        // 13
         QRegularExpression::UseUnicodePropertiesOption);
     for (auto all = named.globalMatch(line); all.hasNext();) {
         const auto match = all.next();

@@ -281,6 +281,8 @@ private slots:
                                                                     << "2026-02-13"
                                                                     << "21:05";
         }
+        QTest::newRow("of a program") << QByteArray("Fri Feb 13 09:05:25 CET 2026") << "2026-02-13"
+                                      << "09:05";
         for (const char *day : {"2026-02-30", "32/13/2026", "03/04/2026", "3/4/26"})
             QTest::newRow(day) << QByteArray(day) << ""
                                << "";
