@@ -343,10 +343,10 @@ void ComparisonPage::present() {
         word[0] = word[0].toUpper();
     m_decision->setVisible(!word.isEmpty());
     m_word->setText(word);
-    QStringList counts{decision.limits.label + language.semicolon().replace(u';', u':') +
-                       decision.limits.state};
+    const QString colon = language.semicolon().replace(u';', u':');
+    QStringList counts{decision.limits.label + colon + decision.limits.state};
     if (!decision.accordance.label.isEmpty())
-        counts << decision.accordance.label + QStringLiteral(" (") + decision.accordance.text.plain() + u')';
+        counts << decision.accordance.label + colon + decision.accordance.text.plain();
     m_counts->setText(counts.join(language.semicolon()));
     m_main->setText(decision.limits.text.plain());
     const QString reason = reasonOf(comparison, language);

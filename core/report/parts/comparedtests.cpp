@@ -319,6 +319,39 @@ std::optional<ChangeWord> wordOfAll(const TestComparison &comparison) {
     return std::nullopt;
 }
 
+namespace {
+
+/// The parameters with a word that states no difference.
+struct WordShare {
+    ChangeWord word;
+    QStringList symbols;
+};
+
+/// The shares, the strongest statement first.
+std::vector<WordShare> sharesWithoutDifference(const TestComparison &comparison) {
+    std::vector<WordShare> shares;
+    for (const ChangeWord word : {ChangeWord::unchangedWithin, ChangeWord::agree, ChangeWord::noChangeProven,
+                                  ChangeWord::notProven}) {
+        WordShare share{word, {}};
+        for (const ComparedParameter &parameter : comparison.parameters) {
+            if (parameter.word == word)
+                share.symbols << symbolPhrase(parameter.term.symbol, parameter.index).plain();
+        }
+        if (!share.symbols.isEmpty())
+            shares.push_back(std::move(share));
+    }
+    return shares;
+}
+
+/// The short word for a share.
+Text briefWord(ChangeWord word) {
+    if (word == ChangeWord::agree)
+        return REPORT_TEXT("report", "agreeing");
+    return changeText(word == ChangeWord::noChangeProven ? ChangeWord::notProven : word);
+}
+
+} // namespace
+
 VerdictLine decisionLine(const TestComparison &comparison, const Language &language) {
     const Writer write(language);
     VerdictLine line;
@@ -333,19 +366,12 @@ VerdictLine decisionLine(const TestComparison &comparison, const Language &langu
     std::size_t said = 0;
     std::size_t changed = 0;
     std::optional<std::size_t> first;
-    QStringList others;
-    std::optional<ChangeWord> other;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const auto &own = comparison.parameters[i].word;
-        if (!own)
-            continue;
-        ++said;
-        if (statesDifference(*own)) {
+        said += own ? 1 : 0;
+        if (own && statesDifference(*own)) {
             ++changed;
             first = first.value_or(i);
-        } else {
-            others << words[i].symbol.plain();
-            other = other && *other != *own ? ChangeWord::notProven : *own;
         }
     }
     const auto share = [&](std::size_t count) {
@@ -365,15 +391,23 @@ VerdictLine decisionLine(const TestComparison &comparison, const Language &langu
                        shown.after.toStdString(), shown.difference.toStdString(),
                        (shown.uncertainty + u' ' + language.unit(comparison.quantity)).toStdString()});
     }
-    if (other) {
-        line.accordance.label =
-            write.text(*other == ChangeWord::agree            ? REPORT_TEXT("report", "agreeing")
-                       : *other == ChangeWord::noChangeProven ? changeText(ChangeWord::notProven)
-                                                              : changeText(*other)); // short ones
-        line.accordance.label[0] = line.accordance.label[0].toUpper();
-        line.accordance.state = share(said - changed);
-        line.accordance.text = others.join(QStringLiteral(", "));
+    QStringList further;
+    for (const WordShare &each : sharesWithoutDifference(comparison)) {
+        const QString symbols = each.symbols.join(QStringLiteral(", "));
+        QString label = write.text(briefWord(each.word));
+        const QString state = share(static_cast<std::size_t>(each.symbols.size()));
+        if (line.accordance.label.isEmpty()) {
+            label[0] = label[0].toUpper();
+            line.accordance = {label, Mark::none, state, symbols};
+        } else {
+            further << write.say(REPORT_TEXT("report", "%1: %2"),
+                                 {(label + u' ' + state).toStdString(), symbols.toStdString()});
+        }
     }
+    if (!further.isEmpty())
+        line.accordance.text =
+            QStringList{line.accordance.text.plain(), further.join(write.semicolon())}.join(
+                write.semicolon());
     return line;
 }
 

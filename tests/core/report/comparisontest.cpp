@@ -5,9 +5,11 @@
 #include "report/comparison.h"
 #include "core/kernel/evaluation/circulardata.h"
 #include "core/kernel/evaluation/positioningdata.h"
+#include "report/parts/comparedtests.h"
 
 #include <QTest>
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
 
@@ -168,6 +170,42 @@ private slots:
             const double back = begin(Sense::clockwise, 365 + turns); // down to 10°
             QVERIFY2(std::abs(back - 10) < 1e-9, qPrintable(QString::number(back)));
         }
+    }
+
+    /// "Unchanged" is no "not proven": each word has its own share.
+    void eachWordHasItsShare_data() {
+        QTest::addColumn<QList<ChangeWord>>("words");
+        QTest::addColumn<QString>("changed");
+        QTest::addColumn<QString>("others");
+        using enum ChangeWord;
+        QTest::newRow("all three words of a tolerance")
+            << QList{changedByMore, unchangedWithin, notProven, unchangedWithin, notProven, notProven}
+            << "Changed 1 of 6"
+            << "Unchanged within t 2 of 6 B, D; not proven 3 of 6: C, E, F";
+        QTest::newRow("a tolerance, all unchanged")
+            << QList{unchangedWithin, unchangedWithin} << "Changed 0 of 2"
+            << "Unchanged within t 2 of 2 A, B";
+        QTest::newRow("without a tolerance") << QList{better, noChangeProven, worse} << "Changed 2 of 3"
+                                             << "Not proven 1 of 3 B";
+        QTest::newRow("laboratories") << QList{agree, disagree} << "Changed 1 of 2"
+                                      << "Agreeing 1 of 2 A";
+    }
+    void eachWordHasItsShare() {
+        QFETCH(QList<ChangeWord>, words);
+        QFETCH(QString, changed);
+        QFETCH(QString, others);
+        constexpr std::array symbols{"A", "B", "C", "D", "E", "F"};
+        TestComparison comparison;
+        for (const ChangeWord word : words) {
+            ComparedParameter parameter;
+            parameter.term.symbol = {symbols.at(comparison.parameters.size())};
+            parameter.word = word;
+            comparison.parameters.push_back(parameter);
+        }
+        const VerdictLine line = decisionLine(comparison, english());
+        QCOMPARE(line.limits.label + ' ' + line.limits.state, changed);
+        QCOMPARE(line.accordance.label + ' ' + line.accordance.state + ' ' + line.accordance.text.plain(),
+                 others);
     }
 
     void copiedTablesAreForSpreadsheets() {
