@@ -7938,8 +7938,12 @@
         <translation>À surveiller d’abord</translation>
     </message>
     <message>
-        <source>no trend towards a limit</source>
-        <translation>pas de tendance vers une limite</translation>
+        <source>too few tests: nothing is said</source>
+        <translation>trop peu d’essais&#xa0;: rien n’est affirmé</translation>
+    </message>
+    <message>
+        <source>no limit within twice the observed time</source>
+        <translation>aucune limite dans le double de la durée observée</translation>
     </message>
     <message>
         <source>%1 at the last test</source>

@@ -172,17 +172,24 @@ private:
         const MachineTrend *trend;
     };
 
-    [[nodiscard]] std::vector<Watched> watched() const {
+    [[nodiscard]] std::vector<Watched> trendsThat(bool (*is)(const MachineTrend &)) const {
         std::vector<Watched> list;
         for (const AxisTrends &axis : m_axes) {
             for (const MachineTrend &trend : axis.trends) {
-                const bool says = trend.line && trend.line->isShown() &&
-                                  (trend.notBefore.state == NotBefore::State::date ||
-                                   trend.notBefore.state == NotBefore::State::already);
-                if (says)
+                if (is(trend))
                     list.push_back({&axis, &trend});
             }
         }
+        return list;
+    }
+
+    /// Trends that may reach their limit, the earliest first. A line need not be shown as a trend: too little
+    /// data must not silence the warning.
+    [[nodiscard]] std::vector<Watched> watched() const {
+        std::vector<Watched> list = trendsThat([](const MachineTrend &trend) {
+            return trend.line && (trend.notBefore.state == NotBefore::State::date ||
+                                  trend.notBefore.state == NotBefore::State::already);
+        });
         std::ranges::stable_sort(list, {}, [](const Watched &one) { return one.trend->notBefore.time; });
         return list;
     }
@@ -194,15 +201,10 @@ private:
 
     /// Quantities whose newest result exceeds its limit.
     [[nodiscard]] std::vector<Watched> exceededNow() const {
-        std::vector<Watched> list;
-        for (const AxisTrends &axis : m_axes) {
-            for (const MachineTrend &trend : axis.trends) {
-                if (!trend.series.empty() && trend.limit &&
-                    trend.series.front().entries.back().result.verdict == Verdict::doesNotConform)
-                    list.push_back({&axis, &trend});
-            }
-        }
-        return list;
+        return trendsThat([](const MachineTrend &trend) {
+            return !trend.series.empty() && trend.limit &&
+                   trend.series.front().entries.back().result.verdict == Verdict::doesNotConform;
+        });
     }
 
     /// "4.2 ± 0.3 µm": the newest result.
@@ -218,6 +220,20 @@ private:
 
     [[nodiscard]] VerdictStatement statementOf(const Text &label, const Watched &one) const {
         return {text(label), Mark::none, symbolAndAxis(one), trendStatement(*one.trend, m_language)};
+    }
+
+    /// Says why no parameter is to be watched.
+    void sayWhyNone(VerdictLine &line) const {
+        const std::vector<Watched> limited = trendsThat([](const MachineTrend &t) { return !!t.limit; });
+        const std::vector<Watched> lines =
+            trendsThat([](const MachineTrend &t) { return t.limit && t.line; });
+        line.word = text(limited.empty() ? REPORT_TEXT("report", "no limit agreed")
+                         : lines.empty() ? REPORT_TEXT("report", "too few tests: nothing is said")
+                                         : REPORT_TEXT("report", "no limit within twice the observed time"));
+        if (limited.empty())
+            return;
+        line.limits =
+            statementOf(REPORT_TEXT("report", "Trend"), lines.empty() ? limited.front() : lines.front());
     }
 
     /// The parameter that is exceeded now, otherwise the one that may be first; then the next of these.
@@ -242,7 +258,7 @@ private:
                 line.accordance = statementOf(REPORT_TEXT("report", "To watch first"), list.front());
         } else if (list.empty()) {
             line.label = text(REPORT_TEXT("report", "To watch first"));
-            line.word = text(REPORT_TEXT("report", "no trend towards a limit"));
+            sayWhyNone(line);
         } else {
             const MachineTrend &trend = *list.front().trend;
             line.label = text(REPORT_TEXT("report", "To watch first"));

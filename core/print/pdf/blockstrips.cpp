@@ -523,7 +523,8 @@ Strips verdictStrips(const VerdictLine &line, double width) {
         statementBlock(line.accordance, width - rightAt - left, labels, line.large);
 
     const double leftHeight = label.height() + word.height() + note.height();
-    const double rightHeight = limits.height() + accordance.height() + 2 * gap;
+    const bool isAlone = line.accordance == VerdictStatement(); // no hairline then
+    const double rightHeight = limits.height() + (isAlone ? 0 : accordance.height() + 2 * gap);
     const double inner = std::max(leftHeight, rightHeight);
     const double height = inner + 2 * padding;
     return {strip(height, [=, mark = line.mark, large = line.large](QPainter &painter, QPointF at) {
@@ -541,6 +542,8 @@ Strips verdictStrips(const VerdictLine &line, double width) {
         place = at + QPointF(rightAt, padding + (inner - rightHeight) / 2);
         drawStatement(painter, place, limits);
         place.ry() += limits.height() + gap;
+        if (isAlone)
+            return;
         drawRule(painter, place, width - rightAt - left, groupRule, groupGrey);
         place.ry() += gap;
         drawStatement(painter, place, accordance);

@@ -84,7 +84,53 @@ private slots:
     void everythingShownIsInIt();
     void otherValuesDoNotFollow();
     void damagedDataAreRefused();
+    void theHeadlineSaysWhatThePanelsSay_data();
+    void theHeadlineSaysWhatThePanelsSay();
 };
+
+void HistoryFileTest::theHeadlineSaysWhatThePanelsSay_data() {
+    QTest::addColumn<QList<double>>("values"); // limit 16
+    QTest::addColumn<QString>("word");
+    QTest::addColumn<QString>("beside");
+    QTest::newRow("at the limit, no trend shown")
+        << QList{15.6, 15.9, 15.5, 15.8} << "A of X: no trend shown; the bound is at the limit already"
+        << "Limit 16 µm";
+    QTest::newRow("not before, no trend shown")
+        << QList{12.0, 13.6, 12.4, 13.2} << "A of X: no trend shown; not before "
+        << "Limit 16 µm";
+    QTest::newRow("far below") << QList{1.0, 1.2, 1.1, 1.2} << "no limit within twice the observed time"
+                               << "Trend A of X";
+    QTest::newRow("too few") << QList{15.6, 15.9} << "too few tests: nothing is said"
+                             << "Trend A of X";
+    QTest::newRow("no limit") << QList<double>() << "no limit agreed"
+                              << " ";
+}
+
+/// Too little data must not silence the warning.
+void HistoryFileTest::theHeadlineSaysWhatThePanelsSay() {
+    QFETCH(QList<double>, values);
+    QFETCH(QString, word);
+    QFETCH(QString, beside);
+    History one = history();
+    one.tests.clear();
+    for (int i = 0; i < values.size(); ++i)
+        one.tests.push_back(testdata::made("202" + std::to_string(i) + "-05-16", values[i]));
+    if (values.empty()) {
+        one.tests = testdata::sinceRepair();
+        for (ListedTest &test : one.tests)
+            test.test.results.front().limit.reset();
+    }
+    const Report report = composeHistory(one, Language(Language::Id::english));
+    const auto line = std::ranges::find_if(
+        report.blocks, [](const Block &block) { return std::holds_alternative<VerdictLine>(block); });
+    const auto &headline = std::get<VerdictLine>(*line);
+    QCOMPARE(headline.label, "To watch first");
+    QVERIFY2(headline.word.startsWith(word), qPrintable(headline.word));
+    const QString right = headline.limits.label + ' ' + headline.limits.state;
+    QCOMPARE(right.simplified(), beside.simplified());
+    const bool isTooFew = headline.limits.text.plain().contains("fewer than 4 tests");
+    QCOMPARE(isTooFew, word.startsWith("too few"));
+}
 
 void HistoryFileTest::everythingShownIsInIt() {
     const History one = history();
