@@ -123,10 +123,7 @@ Table withoutPictures(Table table) {
                 return cell.extras->guard || cell.extras->whisker || cell.extras->bar;
             }))
             continue;
-        const auto at = static_cast<std::ptrdiff_t>(i);
-        table.columns.erase(table.columns.begin() + at);
-        for (std::vector<Cell> &row : table.rows)
-            row.erase(row.begin() + at);
+        eraseColumn(table, i);
     }
     return table;
 }

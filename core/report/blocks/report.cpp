@@ -49,6 +49,18 @@ Column flexibleColumn(Phrase title, double width) {
     return {std::move(title), {}, Alignment::left, true, width};
 }
 
+void eraseColumn(Table &table, std::size_t column) {
+    const auto at = static_cast<std::ptrdiff_t>(column);
+    table.columns.erase(table.columns.begin() + at);
+    for (std::vector<Cell> &row : table.rows) {
+        for (std::size_t i = 0; i < column; ++i) {
+            if (i + row[i].extras->columns > column)
+                --row[i].extras.edit().columns;
+        }
+        row.erase(row.begin() + at);
+    }
+}
+
 QString anchorOf(const Block &block) {
     if (const auto *head = std::get_if<TestHead>(&block))
         return head->anchor;

@@ -263,6 +263,10 @@ struct Table {
     bool operator==(const Table &) const = default;
 };
 
+/// Removes a column of a table whose rows are not packed and which has no spanners; cells that span it become
+/// narrower.
+void eraseColumn(Table &table, std::size_t column);
+
 /// Packs the rows of a table, unless one of them has a cell that is not plain.
 void packRows(Table &table);
 

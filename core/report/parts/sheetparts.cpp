@@ -365,9 +365,7 @@ void addSheetResults(std::vector<Block> &blocks, const EvaluatedDocument &evalua
     blocks.emplace_back(Heading{1, write.text(REPORT_TEXT("report", "Acceptance sheet"))});
     Table table = sheetTable(evaluated, {}, write);
     table.links.clear();
-    for (std::vector<Cell> &row : table.rows)
-        row.erase(row.begin() + 7);
-    table.columns.erase(table.columns.begin() + 7);
+    eraseColumn(table, 7);
     blocks.emplace_back(std::move(table));
     VerdictLine line;
     line.limits = sheetStatement(evaluated, write);

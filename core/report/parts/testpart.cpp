@@ -77,12 +77,8 @@ void leaveOutEmptyColumns(Table &table, std::size_t first, std::size_t last) {
         const bool empty = std::ranges::all_of(table.rows, [column](const std::vector<Cell> &row) {
             return row[column].blank || row[column].isMissing();
         });
-        if (!empty)
-            continue;
-        const auto at = static_cast<std::ptrdiff_t>(column);
-        table.columns.erase(table.columns.begin() + at);
-        for (std::vector<Cell> &row : table.rows)
-            row.erase(row.begin() + at);
+        if (empty)
+            eraseColumn(table, column);
     }
 }
 

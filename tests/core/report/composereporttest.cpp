@@ -648,6 +648,10 @@ private slots:
             QVERIFY(table.rowCount() > 0);
             table.eachRow([&](const std::vector<Cell> &row) { QCOMPARE(row.size(), table.columns.size()); });
             QVERIFY(std::ranges::is_sorted(table.rulesAfter));
+            table.eachRow([&](const std::vector<Cell> &row) {
+                for (std::size_t i = 0; i < row.size(); ++i)
+                    QVERIFY(i + row[i].extras->columns <= table.columns.size());
+            });
             for (const std::size_t row : table.rulesAfter)
                 QVERIFY(row + 1 < table.rowCount());
         }
@@ -777,6 +781,23 @@ private slots:
             }
             QCOMPARE(summary.rows[0][1].extras->rows, std::size_t(3));
             QVERIFY(summary.columns[9].pages);
+        }
+    }
+
+    /// Columns without content are left out, and the line of a test without a limit ends before its page.
+    void theSummaryNamesThePageOfEveryTest() {
+        Document changed = *document("limits-2006");
+        Test second = *changed.tests[0];
+        second.limits = {};
+        second.role = TestRole::asLeft;
+        changed.tests.push_back(std::make_shared<const Test>(second));
+        for (const Language::Id id : both) {
+            const Report composed = report(std::make_shared<const Document>(changed), Language(id));
+            const Table summary = blocksOf<Table>(composed)[0];
+            const auto &row = summary.rows.back();
+            QVERIFY(summary.columns.back().pages && !row.back().blank);
+            QVERIFY(row[2].extras->columns > 1);
+            QCOMPARE(2 + row[2].extras->columns + 1, summary.columns.size());
         }
     }
 
