@@ -643,11 +643,13 @@ private:
 
     void flow() {
         StripPlaces strips = joined(m_blocks);
-        double narrowing = m_narrowing;
+        double narrowing = 1;
+        bool inAnnex = false;
         for (StripPlace &strip : strips) {
             const auto *block = strip.block < 0 ? nullptr : &m_blocks[static_cast<std::size_t>(strip.block)];
-            if (block && isAnnex(*block))
-                narrowing = m_narrowingOfAnnex;
+            inAnnex = inAnnex || (block && isAnnex(*block));
+            if (block && static_cast<std::size_t>(strip.block) >= m_narrowFrom)
+                narrowing = inAnnex ? m_narrowingOfAnnex : m_narrowing;
             strip.gap *= strip.gap < smallestToNarrow ? 1 : block && block->close ? closest : narrowing;
         }
         m_flow = Flow(m_bottom);
@@ -767,7 +769,19 @@ private:
         const auto certificate = static_cast<std::size_t>(pagesBeforeAnnex(m_blocks, m_flow));
         if (certificate > 0)
             squeeze(m_narrowingOfAnnex, m_flow.pages().size() - 1, 1);
+        if (m_narrowing == 1)
+            m_narrowFrom = lastPart();
         squeeze(m_narrowing, certificate > 0 ? certificate - 1 : m_flow.pages().size() - 1, leastFill);
+    }
+
+    /// The block that the last part of the certificate begins with: gaps above it save none of its pages.
+    [[nodiscard]] std::size_t lastPart() const {
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i + 1 < m_blocks.size() && !isAnnex(m_blocks[i + 1]); ++i) {
+            if (asA<PageBreak>(m_blocks[i]))
+                begin = i + 1;
+        }
+        return begin;
     }
 
     void putNumbers() {
@@ -790,7 +804,8 @@ private:
     double m_bottom;
     MeasuredBlocks m_blocks;
     Flow m_flow;
-    double m_narrowing = 1; ///< factor for the larger gaps of the certificate
+    double m_narrowing = 1;       ///< factor for the larger gaps of the certificate
+    std::size_t m_narrowFrom = 0; ///< first block that it applies to
     double m_narrowingOfAnnex = 1;
     std::map<QString, int> m_widest; ///< page numbers of anchors before they are known
     MeasuredBlocks m_wide;           ///< before anything was set narrow
