@@ -292,8 +292,10 @@ private:
     void writeStatements() {
         statement(REPORT_TEXT("report", "Scope"),
                   both([](const Language &language) { return scopeText(Writer(language)); }));
-        statement(REPORT_TEXT("report", "Expanded uncertainty"),
-                  both([](const Language &language) { return coverageText(Writer(language)); }));
+        if (!coverageText(Writer(m_english), m_evaluated).isEmpty())
+            statement(REPORT_TEXT("report", "Expanded uncertainty"), both([&](const Language &language) {
+                          return coverageText(Writer(language), m_evaluated);
+                      }));
         m_xml.writeStartElement(QStringLiteral("dcc:statement"));
         m_xml.writeAttribute(QStringLiteral("id"), QString::fromLatin1(placeId));
         said("dcc:name", REPORT_TEXT("report", "Place"));

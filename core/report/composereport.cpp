@@ -376,8 +376,8 @@ void addAnnexOfReport(Report &report, const std::vector<TestPart> &parts, const 
     blocks.insert(blocks.end(), {PageBreak{}, annexRunningHead(parts), annexHead(parts, anchor)});
     several ? addAnnexes(blocks, parts, stop) : addAnnex(blocks, first);
     report.certificatePages = static_cast<int>(2 * parts.size()) + several + !document.report.sheet.empty();
-    addProgram(blocks, first.write, document, report.making, report.fingerprint, foreignCharacters(report),
-               several ? 1 : 2);
+    addProgram(blocks, first.write, first.evaluated, report.making, report.fingerprint,
+               foreignCharacters(report), several ? 1 : 2);
     if (!several)
         addDiagnosisOf(blocks, first);
 }
@@ -483,7 +483,7 @@ Report composeReport(const EvaluatedDocument &given, const Language &language, c
     }
     if (parts.empty())
         addThermalPages(report.blocks, evaluated, write);
-    addStatements(report.blocks, write, document, report.making, report.fingerprint,
+    addStatements(report.blocks, write, evaluated, report.making, report.fingerprint,
                   foreignCharacters(report), several ? 1 : 2);
     if (report.making.annex)
         addAnnexOfReport(report, parts, options.stop);

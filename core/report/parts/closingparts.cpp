@@ -175,10 +175,11 @@ QString scopeText(const Writer &write) {
            u' ' + write.text(REPORT_TEXT("report", "This report may be reproduced only in full."));
 }
 
-void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
+void addStatements(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated,
                    const Making &making, const QString &fingerprint, const QString &foreign, int level) {
     if (!making.annex)
-        addProgram(blocks, write, document, making, fingerprint, foreign, level);
+        addProgram(blocks, write, evaluated, making, fingerprint, foreign, level);
+    const Document &document = *evaluated.document;
     const ReportHead &head = document.report;
     const bool signedBy = !head.signatures.empty() &&
                           std::ranges::find(head.leaveOut, ReportPart::signatures) == head.leaveOut.end();
@@ -210,7 +211,7 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
     blocks.emplace_back(std::move(signatures));
 }
 
-void addProgram(std::vector<Block> &blocks, const Writer &write, const Document &document,
+void addProgram(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated,
                 const Making &making, const QString &fingerprint, const QString &foreign, int level) {
     LabelledRows rows(write, {{}, statementLabels});
     rows.add(REPORT_TEXT("report", "Program"),
@@ -222,22 +223,26 @@ void addProgram(std::vector<Block> &blocks, const Writer &write, const Document 
                                        "not in the font of the report: %1; drawn from another font where one "
                                        "is installed, else as boxes"),
                            foreign));
-    const bool evaluatesUncertainty = std::ranges::any_of(document.tests, [](const TestPointer &test) {
-        const UncertaintyMethod *method = methodOf(*test);
-        return method && *method != UncertaintyMethod::none;
-    });
     blocks.emplace_back(Heading{level, write.text(REPORT_TEXT("report", "Program and test file"))});
     blocks.emplace_back(rows.take());
     blocks.emplace_back(Paragraph{
         joined(
-            {evaluatesUncertainty ? coverageText(write) : QString(),
+            {coverageText(write, evaluated),
              write.text(REPORT_TEXT(
                  "report", "The fingerprint is that of the test file attached to the PDF of this report."))},
             QStringLiteral(" ")),
         TextSize::small});
 }
 
-QString coverageText(const Writer &write) {
+QString coverageText(const Writer &write, const EvaluatedDocument &evaluated) {
+    const auto isEvaluated = [](const Parameter &parameter) {
+        return parameter.expandedUncertainty && usesContributions(parameter.decidedBy);
+    };
+    const bool any = std::ranges::any_of(evaluated.tests, [&](const auto &test) {
+        return std::ranges::any_of(test->parameters, isEvaluated);
+    });
+    if (!any)
+        return {};
     return write.text(REPORT_TEXT(
         "report",
         "Expanded uncertainties are evaluated according to the GUM (JCGM 100) and stated with the coverage "

@@ -335,19 +335,20 @@ void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows);
 
 /// Adds the statements that ISO/IEC 17025, 7.8 requires, with the signatures unless they are left out;
 /// without an annex first what addProgram() says.
-void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
+void addStatements(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated,
                    const Making &making, const QString &fingerprint, const QString &foreign, int level);
 
 /// Adds the program, the full fingerprint and how U was evaluated; `foreign`: characters of the report that
 /// its font lacks. `level` of the heading: 1 if the sections above belong to a test.
-void addProgram(std::vector<Block> &blocks, const Writer &write, const Document &document,
+void addProgram(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated,
                 const Making &making, const QString &fingerprint, const QString &foreign, int level);
 
 /// States what the results relate to, and that the report is reproduced only in full.
 [[nodiscard]] QString scopeText(const Writer &write);
 
-/// States the coverage of all U, and how they were evaluated.
-[[nodiscard]] QString coverageText(const Writer &write);
+/// States the coverage of all U, and how they were evaluated; empty unless a budget or simulation of this
+/// program gave one.
+[[nodiscard]] QString coverageText(const Writer &write, const EvaluatedDocument &evaluated);
 
 /// Adds the person responsible for the report: name, date and signature on one line.
 void addResponsibility(std::vector<Block> &blocks, const Writer &write, const ReportHead &head);

@@ -180,6 +180,7 @@ private slots:
     void whatIsMissingIsNamedInOneSentence();
     void conformityOfATestFollowsItsAccordance();
     void textsAreInBothLanguages();
+    void onlyAnEvaluatedUncertaintyIsSaidToBeOne();
 
 private:
     static void addFiles() {
@@ -363,6 +364,14 @@ void DccTest::textsAreInBothLanguages() {
     QCOMPARE(certificate.count("lang=\"fr\""), certificate.count("lang=\"en\""));
     QVERIFY(certificate.contains("<dcc:content lang=\"fr\">Essai de positionnement de l’axe"));
     QVERIFY(certificate.contains("<dcc:content lang=\"en\">Positioning test of the"));
+}
+
+void DccTest::onlyAnEvaluatedUncertaintyIsSaidToBeOne() {
+    const auto says = [](const char *path) {
+        return dcc(evaluatedFile(path)).contains("Expanded uncertainties are evaluated");
+    };
+    QVERIFY(says(DOCUMENTS "budget-2006.palmer"));
+    QVERIFY(!says(DOCUMENTS "limits-2006.palmer")); // stated by the laboratory
 }
 
 QTEST_GUILESS_MAIN(DccTest)

@@ -801,6 +801,19 @@ private slots:
         }
     }
 
+    /// How U was evaluated is said only where this program evaluated one.
+    void onlyAnEvaluatedUncertaintyIsSaidToBeOne() {
+        const QString words = "Expanded uncertainties are evaluated according to the GUM";
+        const Language english(Language::Id::english);
+        QVERIFY(text(document("budget-2006"), english).contains(words));
+        QVERIFY(!text(document("limits-2006"), english).contains(words)); // stated by the laboratory
+        Document changed = *document("budget-2006");
+        Test test = *changed.tests[0];
+        std::get<PositioningMeasurement>(test.measurement).uncertainty.misalignmentRange.reset();
+        changed.tests = {std::make_shared<const Test>(test)};
+        QVERIFY(!text(std::make_shared<const Document>(changed), english).contains(words)); // no U
+    }
+
     /// What both tests say word for word stands once.
     void whatTestsHaveInCommonIsPrintedOnce() {
         Document changed = *document("limits-2006");
