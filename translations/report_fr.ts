@@ -4539,12 +4539,12 @@
         <translation>radiale moyenne</translation>
     </message>
     <message>
-        <source>GUM, after the model of ISO 230-2:2006 Annex A</source>
-        <translation>GUM, d’après le modèle de l’ISO 230-2:2006, annexe A</translation>
+        <source>Contributors as public drafts of annex A name them; combined by propagation after the GUM.</source>
+        <translation>Composantes telles que les nomment des projets publics de l’annexe A&#x202f;; composées par propagation selon le GUM.</translation>
     </message>
     <message>
-        <source>GUM, contributors of ISO 230-4:2005, 4.6</source>
-        <translation>GUM, composantes de l’ISO 230-4:2005, 4.6</translation>
+        <source>Contributors of ISO 230-4:2005, 4.6; combined by propagation after the GUM.</source>
+        <translation>Composantes de l’ISO 230-4:2005, 4.6&#x202f;; composées par propagation selon le GUM.</translation>
     </message>
     <message>
         <source>Component</source>
@@ -4565,12 +4565,8 @@
         <translation>de 0 à %1</translation>
     </message>
     <message>
-        <source>Model of Annex A</source>
-        <translation>Modèle de l’annexe A</translation>
-    </message>
-    <message>
-        <source>Simplified budget</source>
-        <translation>Budget simplifié</translation>
+        <source>Budget (GUM)</source>
+        <translation>Budget (GUM)</translation>
     </message>
     <message>
         <source>Monte Carlo (GUM-S1)</source>
@@ -10885,12 +10881,12 @@
         <translation>θ tenue à ± %1, au pire</translation>
     </message>
     <message>
-        <source>Interpretation, not a result of ISO 230-2. Environmental variation error: largest range over a duration T (2006, Annex A).</source>
-        <translation>Interprétation, pas un résultat de l’ISO 230-2. Erreur de variation environnementale&#xa0;: plus grande étendue sur T (2006, annexe&#xa0;A).</translation>
+        <source>Interpretation, not a result of ISO 230-2. Environmental variation error: largest range over a duration T (public drafts of annex A).</source>
+        <translation>Interprétation, pas un résultat de l’ISO 230-2. Erreur de variation environnementale&#xa0;: plus grande étendue sur T (projets publics de l’annexe&#xa0;A).</translation>
     </message>
     <message>
-        <source>U of the budget, after the model of ISO 230-2:2006 Annex A, with that variation.</source>
-        <translation>U du budget, selon le modèle de l’ISO&#xa0;230-2:2006, annexe&#xa0;A, avec cette variation.</translation>
+        <source>U of the budget (GUM) with that variation.</source>
+        <translation>U du budget (GUM) avec cette variation.</translation>
     </message>
     <message>
         <source>θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) plus the variation of x&#xa0;−&#xa0;k·y over T.</source>

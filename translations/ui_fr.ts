@@ -5374,10 +5374,6 @@ est la même machine que&#xa0;:</translation>
         <translation>Facteur de bande de garde (× U)</translation>
     </message>
     <message>
-        <source>Annex A</source>
-        <translation>Annexe A</translation>
-    </message>
-    <message>
         <source>Budget</source>
         <translation>Budget</translation>
     </message>
@@ -5390,12 +5386,12 @@ est la même machine que&#xa0;:</translation>
         <translation>Aucune</translation>
     </message>
     <message>
-        <source>The verdict is based on the simplified budget after the model of ISO 230-2:2006 Annex A</source>
-        <translation>Le verdict est fondé sur le budget simplifié selon le modèle de l’annexe A de l’ISO 230-2:2006</translation>
+        <source>The verdict is based on the budget (GUM) of the contributors that public drafts of annex A name</source>
+        <translation>Le verdict est fondé sur le budget (GUM) des composantes que nomment des projets publics de l’annexe A</translation>
     </message>
     <message>
-        <source>The verdict is based on the simplified budget of the contributors of ISO 230-4, 4.6</source>
-        <translation>Le verdict est fondé sur le budget simplifié des contributions de l’ISO 230-4, 4.6</translation>
+        <source>The verdict is based on the budget (GUM) of the contributors of ISO 230-4, 4.6</source>
+        <translation>Le verdict est fondé sur le budget (GUM) des composantes de l’ISO 230-4, 4.6</translation>
     </message>
     <message>
         <source>The verdict is based on the Monte Carlo simulation (GUM Supplement 1)</source>

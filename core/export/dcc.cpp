@@ -560,8 +560,8 @@ private:
             !partOf(index, Writer(m_english)).leavesOut(ReportPart::uncertainty))
             within("dcc:result", [&] {
                 said("dcc:name", REPORT_TEXT("report", "Uncertainty budget"));
-                if (!kindWords(test).model.empty())
-                    said("dcc:description", kindWords(test).model);
+                if (!kindWords(test).budget.empty())
+                    said("dcc:description", kindWords(test).budget);
                 within("dcc:data", [&] { writeBudget(test, evaluation); });
             });
     }

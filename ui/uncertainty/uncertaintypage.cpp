@@ -639,11 +639,11 @@ void UncertaintyPage::refreshOthers() {
 void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
     const bool linear = axisOf(*shownTest());
     const UncertaintyMethod method = *methodOf(*shownTest());
-    const std::array names{linear ? tr("Annex A") : tr("Budget"), tr("Actual targets"), tr("Monte Carlo"),
-                           tr("Direct"), tr("None")};
+    const std::array names{tr("Budget"), tr("Actual targets"), tr("Monte Carlo"), tr("Direct"), tr("None")};
     const std::array tips{
-        linear ? tr("The verdict is based on the simplified budget after the model of ISO 230-2:2006 Annex A")
-               : tr("The verdict is based on the simplified budget of the contributors of ISO 230-4, 4.6"),
+        linear ? tr("The verdict is based on the budget (GUM) of the contributors that public drafts of "
+                    "annex A name")
+               : tr("The verdict is based on the budget (GUM) of the contributors of ISO 230-4, 4.6"),
         tr("The verdict is based on the budget with what the actual targets carry of its systematic part "
            "(Palmer's method)"),
         tr("The verdict is based on the Monte Carlo simulation (GUM Supplement 1)"),
@@ -800,9 +800,8 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
 void UncertaintyPage::nameResultColumns(UncertaintyMethod method) {
     namespace column = resultColumn;
     m_results->setAccessibleName(tr("Expanded uncertainty of the results by both methods"));
-    const bool linear = axisOf(*shownTest());
     m_results->setHead(column::symbol, {}, false);
-    m_results->setHead(column::budget, (linear ? tr("Annex A") : tr("Budget")) + tr(", k = 2"), true);
+    m_results->setHead(column::budget, tr("Budget") + tr(", k = 2"), true);
     m_results->setHead(column::actual, tr("actual targets"), true);
     m_results->setHead(column::simulation, tr("Monte Carlo, 95.45 %"), true);
     // Space is short, and the report always has this line.

@@ -183,7 +183,7 @@ Text noResponseText(ResponseState state) {
 Text thermalNature() {
     return REPORT_TEXT(
         "report", "Interpretation, not a result of ISO 230-2. Environmental variation error: largest range "
-                  "over a duration T (2006, Annex A).");
+                  "over a duration T (public drafts of annex A).");
 }
 
 bool hasThermalPage(const Test &test) {
@@ -367,8 +367,7 @@ Table driftCaseTable(const DriftCases &cases, bool angular, const Language &lang
 }
 
 QString driftCaseNote(const DriftCases &cases, const Language &language) {
-    QString note = language.text(REPORT_TEXT(
-        "report", "U of the budget, after the model of ISO 230-2:2006 Annex A, with that variation."));
+    QString note = language.text(REPORT_TEXT("report", "U of the budget (GUM) with that variation."));
     if (std::ranges::any_of(cases.cases, [](const DriftCase &one) { return one.kind == DriftCase::held; }))
         note += u' ' + language.text(REPORT_TEXT("report", "θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) "
                                                            "plus the variation of x − k·y over T."));

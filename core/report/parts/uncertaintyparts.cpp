@@ -32,10 +32,10 @@ Phrase nameOf(const Writer &write, const Contribution &contribution) {
     return Phrase({{name.left(at)}, {index.mid(1), true}, {name.mid(at + index.size())}});
 }
 
-/// Model, length and k of the budget: "1 500.41 mm; k = 2".
+/// Length and k of the budget: "1 500.41 mm; k = 2".
 QString budgetNote(const TestPart &part) {
     const Writer &write = part.write;
-    QStringList notes{write.text(kindWords(part.test).model)};
+    QStringList notes;
     if (motionOf(part.test) == Motion::linear && part.evaluation.uncertainty.length)
         notes << QStringLiteral("L = ") +
                      write.quantity(part.evaluation.uncertainty.length, Quantity::position);
@@ -113,7 +113,7 @@ Table resultTable(const TestPart &part) {
         columnOf(write.say(REPORT_TEXT("report", "U in %1"), write.language().unit(quantity)), 56));
     const bool simulated = part.evaluation.uncertainty.simulation != nullptr;
     const QString factor = QStringLiteral("k\u00A0=\u00A02");
-    std::vector<Cell> budget{withCoverage(write.text(kindWords(part.test).budget), factor)};
+    std::vector<Cell> budget{withCoverage(write.text(REPORT_TEXT("report", "Budget (GUM)")), factor)};
     std::vector<Cell> actual{
         withCoverage(write.text(REPORT_TEXT("report", "With the actual targets (Palmer's method)")), factor)};
     std::vector<Cell> monteCarlo{withCoverage(write.text(REPORT_TEXT("report", "Monte Carlo (GUM-S1)")),
@@ -257,6 +257,7 @@ void addMethods(QStringList &words, const TestPart &part) {
     const Writer &write = part.write;
     const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
     const Explained explained(part.evaluation);
+    words << write.text(kindWords(part.test).budget);
     if (explained.actual)
         words << write.say(
             REPORT_TEXT("report", "With the actual targets: in place of S = %1 what the positions that rule "
@@ -364,6 +365,8 @@ void addBudget(std::vector<Block> &blocks, const TestPart &part) {
         blocks.emplace_back(Paragraph{
             joined({methodText(part, explainedBefore(part)), adviceText(part)}, QStringLiteral(" ")),
             TextSize::small});
+    } else {
+        blocks.emplace_back(Paragraph{part.write.text(kindWords(part.test).budget), TextSize::small});
     }
     addDriftCurve(blocks, part);
 }

@@ -133,8 +133,7 @@ struct KindWords {
     Text name;   ///< as a heading
     Text listed; ///< above its results on the command line
     Text brief;  ///< in a summary; %2 is the radius
-    Text model;  ///< model of its uncertainty budget; may be empty
-    Text budget; ///< name of that budget among other methods
+    Text budget; ///< explains its uncertainty budget; may be empty
 };
 
 [[nodiscard]] const KindWords &kindWords(const Test &test);
