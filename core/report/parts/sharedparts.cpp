@@ -19,6 +19,18 @@ namespace {
 
 constexpr double testsWidth = 16; ///< mm, for test numbers
 
+/// The width of a column of test numbers in which no range like "11–14," breaks, mm.
+double widthOfTests(const Table &table, std::size_t column, double least) {
+    constexpr double padding = 2.3;
+    constexpr double digit = 1.7; // at 8.5 pt
+    qsizetype longest = 0;
+    for (const std::vector<Cell> &row : table.rows) {
+        for (const QString &range : row[column].text.plain().split(u' '))
+            longest = std::max(longest, range.size());
+    }
+    return std::max(least, padding + digit * static_cast<double>(longest));
+}
+
 struct TableOfTest {
     int test = 1;
     Table table;
@@ -58,7 +70,6 @@ public:
             return table;
         table.columns = m_columns;
         const auto tests = static_cast<std::ptrdiff_t>(m_keys);
-        std::ranges::find_if(table.columns, &Column::flexible)->width -= testsWidth; // exists
         table.columns.insert(table.columns.begin() + tests,
                              m_write.column(REPORT_TEXT("report", "Tests"), testsWidth));
         for (const Subject &subject : m_subjects) {
@@ -76,6 +87,9 @@ public:
                 table.rows.push_back(std::move(row));
             }
         }
+        const double width = widthOfTests(table, m_keys, testsWidth);
+        table.columns[m_keys].width = width;
+        std::ranges::find_if(table.columns, &Column::flexible)->width -= width; // exists
         return table;
     }
 
@@ -317,8 +331,25 @@ private:
 std::size_t linesOf(const QString &text, double width) {
     constexpr double letter = 1.55; // mm, at 8.5 pt
     std::size_t lines = 0;
-    for (const QString &line : text.split(u'\n'))
-        lines += 1 + static_cast<std::size_t>(static_cast<double>(line.size()) * letter / width);
+    for (const QString &line : text.split(u'\n')) {
+        double used = width;
+        for (const QString &word : line.split(u' ')) {
+            const double needed = letter * static_cast<double>(word.size() + 1);
+            lines += used + needed > width ? 1 : 0;
+            used = used + needed > width ? needed : used + needed;
+        }
+    }
+    return lines;
+}
+
+/// Lines of the row; a cell that spans several rows has room in all of them.
+std::size_t linesOf(const std::vector<Cell> &row, const std::array<double, 3> &widths) {
+    constexpr double padding = 2;
+    std::size_t lines = 1;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        if (row[i].extras->rows == 1)
+            lines = std::max(lines, linesOf(row[i].text.plain(), widths.at(i) - padding));
+    }
     return lines;
 }
 
@@ -326,10 +357,13 @@ std::size_t linesOf(const QString &text, double width) {
 /// spans several stay together.
 void addInHalves(std::vector<Block> &blocks, Table table) {
     constexpr std::size_t mostLines = 44; // in a half
-    constexpr double widthOfText = 40;    // mm, in a half
-    std::vector<std::size_t> above{0};    // lines above each row
+    constexpr double nameWidth = 32;      // mm
+    constexpr double leastTestsWidth = 10;
+    const double numbers = widthOfTests(table, 1, leastTestsWidth);
+    const std::array widths{nameWidth, numbers, SideBySide().leftWidth - nameWidth - numbers};
+    std::vector<std::size_t> above{0}; // lines above each row
     for (const std::vector<Cell> &row : table.rows)
-        above.push_back(above.back() + linesOf(row.back().text.plain(), widthOfText));
+        above.push_back(above.back() + linesOf(row, widths));
     std::size_t cut = 0;
     for (const std::size_t end : table.rulesAfter) {
         if (2 * above[end + 1] <= above.back() + 1)
@@ -339,7 +373,6 @@ void addInHalves(std::vector<Block> &blocks, Table table) {
         blocks.emplace_back(std::move(table));
         return;
     }
-    constexpr std::array widths{32.0, 10.0, 41.0};
     for (std::size_t i = 0; i < table.columns.size(); ++i)
         table.columns[i].width = widths.at(i);
     Table second = table;
@@ -407,6 +440,8 @@ public:
         for (const LimitsOfOrigin &row : m_rows)
             table.rows.push_back(
                 {testNumbers(m_write, row.tests, count), row.limits, row.edition, row.source});
+        table.columns[0].width = widthOfTests(table, 0, testsWidth);
+        table.columns[1].width -= table.columns[0].width - testsWidth;
         return table;
     }
 

@@ -814,6 +814,37 @@ private slots:
         QVERIFY(!text(std::make_shared<const Document>(changed), english).contains(words)); // no U
     }
 
+    /// A range like "11–14," is a word that no line breaks: its column is as wide.
+    void rangesOfTestNumbersFitTheirColumn() {
+        constexpr double digit = 1.667; // mm, of Liberation Sans at 8.5 pt; a dash is as wide
+        Document changed = *document("limits-2006");
+        Test test = *changed.tests[0];
+        changed.tests.clear();
+        for (int i = 0; i < 124; ++i) {
+            const bool other = i % 10 == 4 || i % 7 == 0;
+            std::get<PositioningMeasurement>(test.measurement).conditions.feed = other ? 1000 : 3000;
+            changed.tests.push_back(std::make_shared<const Test>(test));
+        }
+        int ranges = 0;
+        double widest = 0;
+        const Language english(Language::Id::english);
+        for (const Table &table : tablesOf(report(std::make_shared<const Document>(changed), english))) {
+            for (std::size_t i = 0; i < table.columns.size(); ++i) {
+                if (table.columns[i].title.plain() != "Tests")
+                    continue;
+                for (const std::vector<Cell> &row : table.rows) {
+                    for (const QString &range : row[i].text.plain().split(' ')) {
+                        const double least = 2 + digit * static_cast<double>(range.size());
+                        QVERIFY2(table.columns[i].width >= least, qPrintable(range));
+                        ranges += range.contains(QChar(u'\u2013')) ? 1 : 0;
+                        widest = std::max(widest, least);
+                    }
+                }
+            }
+        }
+        QVERIFY(ranges > 10 && widest > 15);
+    }
+
     /// What both tests say word for word stands once.
     void whatTestsHaveInCommonIsPrintedOnce() {
         Document changed = *document("limits-2006");
