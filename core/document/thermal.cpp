@@ -140,18 +140,20 @@ DriftCases driftCases(const EvaluatedDocument &evaluated, std::size_t index) {
     };
     constexpr double minute = 60;
     const auto lasts = test.duration ? std::optional(*test.duration * minute) : std::nullopt;
-    add({DriftCase::asTested, 0, lasts, found->value, {}, {}});
+    add({DriftCase::asTested, 0, lasts, found->value, found->isLowerBound, {}, {}});
     if (lasts) {
         Test shorter = test;
         shorter.duration = *test.duration / 2;
         if (const auto half = driftVariation(document, *id, shorter))
-            add({DriftCase::halved, 0, *lasts / 2, half->value, {}, {}});
+            add({DriftCase::halved, 0, *lasts / 2, half->value, half->isLowerBound, {}, {}});
     }
-    add({DriftCase::none, 0, {}, 0, {}, {}});
+    add({DriftCase::none, 0, {}, 0, false, {}, {}});
     Test endless = test;
     endless.duration.reset();
     if (const auto whole = driftVariation(document, *id, endless); whole && lasts)
-        add({DriftCase::wholeRecord, 0, whole->recorded, whole->value, {}, {}});
+        add({DriftCase::wholeRecord, 0, whole->recorded, whole->value, whole->isLowerBound, {}, {}});
+    if (found->isLowerBound) // no record of the rest says "at most" either
+        return result;
     const auto drift = std::ranges::find(document.tests, *id, [](const TestPointer &t) { return t->id; });
     for (const ThermalChannel &channel : thermalChannels(std::get<DriftMeasurement>((*drift)->measurement))) {
         if (!channel.best || channel.channel.name != axesOf(test))
@@ -161,6 +163,7 @@ DriftCases driftCases(const EvaluatedDocument &evaluated, std::size_t index) {
                  hold,
                  lasts,
                  channel.responses[*channel.best].variationWhenHeld(hold, lasts.value_or(found->recorded)),
+                 false,
                  {},
                  {}});
     }

@@ -45,6 +45,7 @@ struct DriftCase {
     double hold = 0;                             ///< held: the temperature to ± this, °C
     std::optional<double> lasts;                 ///< s; null: the whole record
     double variation = 0;                        ///< E_VE, mm or degrees; held: at most
+    bool isLowerBound = false;                   ///< of E_VE, and with it of share and U; see Variation
     std::optional<double> share;                 ///< of U² of the first parameter
     std::vector<std::optional<double>> expanded; ///< U of the parameters of `DriftCases`
 };

@@ -207,6 +207,7 @@ Json driftOf(const EvaluatedDocument &evaluated, std::size_t index) {
                          {"heldTo", one.kind == DriftCase::held ? Json(one.hold) : Json(nullptr)},
                          {"duration", number(one.lasts)},
                          {"variation", one.variation},
+                         {"isLowerBound", one.isLowerBound},
                          {"parameters", std::move(values)}});
     }
     return {{"test", *driftTestOf(*evaluated.document->tests[index])}, {"cases", std::move(cases)}};

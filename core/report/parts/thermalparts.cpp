@@ -142,6 +142,13 @@ QString caseName(const DriftCase &one, const Language &language) {
                               {}});
 }
 
+/// "≥" before a lower bound, "≤" before an upper one.
+QString boundSign(const DriftCase &one) {
+    if (one.isLowerBound)
+        return QStringLiteral("≥\u00A0");
+    return one.kind == DriftCase::held ? QStringLiteral("≤\u00A0") : QString();
+}
+
 /// The table of responses for half a page: the intervals below their values.
 Table inHalf(Table table) {
     enum Place : std::size_t { channel, temperature, k, kInterval, tau, tauInterval, slope, residual };
@@ -341,9 +348,9 @@ Table driftCaseTable(const DriftCases &cases, bool angular, const Language &lang
             largest = std::max(largest, one.expanded.front().value_or(0));
     }
     for (const DriftCase &one : cases.cases) {
-        const QString most = one.kind == DriftCase::held ? QStringLiteral("≤\u00A0") : QString();
+        const QString sign = boundSign(one);
         const auto shown = [&](std::optional<double> value) {
-            return value ? most + language.number(*value, quantity, 1) : QString();
+            return value ? sign + language.number(*value, quantity, 1) : QString();
         };
         Cell bar = blankCell();
         if (const double size = one.expanded.front().value_or(0); largest > 0 && size <= largest) {
@@ -352,7 +359,7 @@ Table driftCaseTable(const DriftCases &cases, bool angular, const Language &lang
             bar.extras.edit().hollow = one.kind != DriftCase::asTested;
         }
         std::vector<Cell> row{caseName(one, language), shown(one.variation),
-                              one.share ? language.number(*one.share * percent, Quantity::number, 0)
+                              one.share ? sign + language.number(*one.share * percent, Quantity::number, 0)
                                         : QString()};
         for (const std::optional<double> &expanded : one.expanded)
             row.emplace_back(shown(expanded));
@@ -418,16 +425,19 @@ VerdictLine causeLine(const DriftMeasurement &drift, const ThermalChannel &chann
             ? write.say(REPORT_TEXT("report", "Variation of %1 in %2"),
                         {channel.channel.name, durationText(tested->lasts, language).toStdString()})
             : write.say(REPORT_TEXT("report", "Variation of %1, whole record"), {channel.channel.name});
-    line.word = write.quantity(tested->variation, quantity, 1);
+    const QString sign = boundSign(*tested);
+    line.word = sign + write.quantity(tested->variation, quantity, 1);
     const std::string parameter = cases.parameters.empty() ? std::string() : cases.parameters.front();
     line.limits.label = write.text(REPORT_TEXT_FOR("report", "Share", "of the drift in an uncertainty"));
     if (tested->share && tested->expanded.front())
-        line.limits.state = write.say(
-            REPORT_TEXT("report", "%1 of U²(%2)"),
-            {write.quantity(*tested->share * percent, Quantity::percent, 0).toStdString(), parameter});
+        line.limits.state =
+            write.say(REPORT_TEXT("report", "%1 of U²(%2)"),
+                      {(sign + write.quantity(*tested->share * percent, Quantity::percent, 0)).toStdString(),
+                       parameter});
     QStringList expanded;
     if (tested->expanded.front())
-        expanded << QStringLiteral("U(%1) = ").arg(QString::fromStdString(parameter)) +
+        expanded << QStringLiteral("U(%1) ").arg(QString::fromStdString(parameter)) +
+                        (tested->isLowerBound ? sign : QStringLiteral("= ")) +
                         write.quantity(*tested->expanded.front(), quantity, 1);
     if (const auto none = caseOf(DriftCase::none); none != cases.cases.end() && none->expanded.front())
         expanded << write.say(REPORT_TEXT("report", "without drift %1"),

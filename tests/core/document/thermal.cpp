@@ -9,6 +9,7 @@
 #include "document/writedocument.h"
 #include "kernel/diagnosis/synthesize.h"
 #include "kernel/measurement/testfacts.h"
+#include "report/parts/thermalparts.h"
 
 #include <QTest>
 #include <cmath>
@@ -86,6 +87,45 @@ private slots:
             return std::string_view(finding.message.text.source).find("lower bound") !=
                    std::string_view::npos;
         }));
+    }
+
+    /// A record that is too short, or has a long gap, says "at least": of E_VE, its share and U.
+    void aLowerBoundIsSaidToBeOne_data() {
+        QTest::addColumn<double>("minutes");
+        QTest::addColumn<bool>("hasGap");
+        QTest::addColumn<bool>("isLowerBound");
+        QTest::newRow("within the record") << 40.0 << false << false;
+        QTest::newRow("a longer test") << 600.0 << false << true;
+        QTest::newRow("a gap") << 40.0 << true << true;
+    }
+    void aLowerBoundIsSaidToBeOne() {
+        QFETCH(double, minutes);
+        QFETCH(bool, hasGap);
+        QFETCH(bool, isLowerBound);
+        Document document = withDrift(minutes);
+        if (hasGap)
+            editMeasurement<DriftMeasurement>(document, 0, [](DriftMeasurement &drift) {
+                for (std::size_t i = 0; i < drift.times.size(); ++i) {
+                    if (drift.times[i] > 3600 && drift.times[i] < 7200)
+                        drift.channels[0].values[i].reset();
+                }
+            });
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+        const DriftCases cases = driftCases(evaluated, 1);
+        QCOMPARE(cases.cases[0].isLowerBound, isLowerBound);
+        const bool holds = std::ranges::any_of(
+            cases.cases, [](const DriftCase &one) { return one.kind == DriftCase::held; });
+        QVERIFY(!(holds && isLowerBound)); // no "at most" with a part that is "at least"
+        const QString sign = QString("≥") + QChar(QChar::Nbsp);
+        const Language english(Language::Id::english);
+        const auto blocks = thermalBlocks(evaluated, 0, english);
+        const auto &headline = std::get<VerdictLine>(blocks.front());
+        QCOMPARE(headline.word.startsWith(sign), isLowerBound);
+        QCOMPARE(headline.limits.state.startsWith(sign), isLowerBound);
+        QCOMPARE(headline.limits.text.plain().startsWith("U(A) ≥"), isLowerBound);
+        const Table table = driftCaseTable(cases, false, english);
+        for (std::size_t i = 1; i < 5; ++i) // E_VE, share, U(A), U(R)
+            QCOMPARE(table.rows[0][i].text.plain().startsWith(sign), isLowerBound);
     }
 
     void onlyTheChannelOfTheAxisCounts() {
