@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/textblock.h"
 
+#include "kernel/evaluation/edition.h"
 #include "language/papercharacters.h"
 #include "print/fonts.h"
 #include "print/pdf/tags.h"
@@ -297,6 +298,46 @@ bool beginsWithGroup(QStringView word) {
            (word.size() == group || !word[group].isLetterOrNumber());
 }
 
+/// Both sides of a space within the designation of an edition, up to its number: "JIS", "B " and "JIS B", "".
+struct DesignationSpace {
+    QString before;
+    QString after;
+
+    bool operator==(const DesignationSpace &) const = default;
+};
+
+const std::vector<DesignationSpace> &spacesOfDesignations() {
+    static const std::vector<DesignationSpace> spaces = [] {
+        std::vector<DesignationSpace> all;
+        for (const Kind kind : allKinds) {
+            for (const Edition *edition : editionsOf(kind)) {
+                const QString word = QString::fromUtf8(edition->word);
+                const qsizetype number = word.lastIndexOf(u' ') + 1;
+                for (qsizetype at = word.indexOf(u' '); at >= 0; at = word.indexOf(u' ', at + 1)) {
+                    DesignationSpace one{word.left(at), word.mid(at + 1, number - at - 1)};
+                    if (std::ranges::find(all, one) == all.end())
+                        all.push_back(std::move(one));
+                }
+            }
+        }
+        return all;
+    }();
+    return spaces;
+}
+
+bool isWithinDesignation(QStringView text, qsizetype space) {
+    const QStringView before = text.first(space);
+    const QStringView after = text.sliced(space + 1);
+    return std::ranges::any_of(spacesOfDesignations(), [&](const DesignationSpace &one) {
+        if (!before.endsWith(one.before) || !after.startsWith(one.after))
+            return false;
+        const qsizetype begin = before.size() - one.before.size();
+        const qsizetype number = one.after.size();
+        return (begin == 0 || !before[begin - 1].isLetterOrNumber()) && number < after.size() &&
+               after[number].isDigit();
+    });
+}
+
 /// True if a line must not end at this space: before and after "=", between the groups of a number, between a
 /// number and its unit, between a count and what is counted, between the name of a standard, "page" and the
 /// like and their number or letter ("l’ISO 230-2", "(clause 3").
@@ -314,12 +355,12 @@ bool joinsWords(QStringView text, qsizetype space) {
     QStringView after = text.mid(space + 1, end - space - 1);
     if (before.isEmpty() || after.isEmpty())
         return false;
-    if (before == u"=" || after == u"=")
+    if (before == u"=" || after == u"=" || isWithinDesignation(text, space))
         return true;
-    static constexpr std::array<QStringView, 20> numbered{
-        u"ISO",    u"VDI/DGQ", u"GB/T",       u"page",        u"pages",  u"n°",    u"No.",
-        u"clause", u"clauses", u"article",    u"articles",    u"annexe", u"Annex", u"test",
-        u"Test",   u"essai",   u"paragraphe", u"paragraphes", u"germe",  u"seed"};
+    static constexpr std::array<QStringView, 21> numbered{
+        u"ISO/IEC", u"JCGM",    u"ASME",    u"page",       u"pages",       u"n°",    u"No.",
+        u"clause",  u"clauses", u"article", u"articles",   u"annexe",      u"annex", u"Annex",
+        u"test",    u"Test",    u"essai",   u"paragraphe", u"paragraphes", u"germe", u"seed"};
     for (qsizetype i = before.size(); i > 0; --i) {
         if (QStringView(u"’'(«“[\u00A0\u202F").contains(before[i - 1])) {
             before = before.mid(i);

@@ -4,6 +4,7 @@
 
 #include "print/pdf/textblock.h"
 
+#include "kernel/evaluation/edition.h"
 #include "print/pdf/pages.h"
 #include "print/pdf/strips.h"
 #include "report/blocks/report.h"
@@ -203,6 +204,26 @@ private slots:
         QVERIFY(heightOf("12↓ – 10↑ of XY", false) > 1.5 * oneLine);
         QCOMPARE(heightOf("12↓ – 10↑ of XY", true), oneLine);
         QVERIFY(heightOf(repeated("a b ", 4096), true) > 1.5 * oneLine);
+    }
+
+    /// A designation is one word: what surrounds it never shares its line where there is no room.
+    void designationsDoNotBreak_data() {
+        QTest::addColumn<QString>("designation");
+        for (const Kind kind : allKinds) {
+            for (const Edition *edition : editionsOf(kind))
+                QTest::newRow(edition->word) << QString::fromUtf8(edition->word);
+        }
+        QTest::newRow("of no edition") << "ASME B5.54-2005";
+        QTest::newRow("a guide") << "JCGM 100:2008";
+    }
+    void designationsDoNotBreak() {
+        QFETCH(QString, designation);
+        const double width = TextBlock(designation, style).width() + 0.5;
+        QCOMPARE(TextBlock("abc " + designation + " abc", style, width).lineCount(), std::size_t(3));
+        QCOMPARE(TextBlock("abc (" + designation + ") abc", style, 1.2 * width).lineCount(), std::size_t(3));
+        // Other letters before a number are no designation.
+        const double other = TextBlock("MIS C 6190-2:2016", style).width() + 0.5;
+        QCOMPARE(TextBlock("abc MIS C 6190-2:2016 abc", style, other).lineCount(), std::size_t(2));
     }
 
     /// What is too long for the head of a page goes on over the next ones.
