@@ -96,19 +96,20 @@ QString nameInSentence(const SheetRow &row, std::size_t index, const Writer &wri
                : QString::fromStdString(name);
 }
 
-/// "G9 (0.019 mm for 0.020 ± 0.003 mm), G14": the rows in this state; those taken from a test are named with
-/// it.
+/// "G9 (0.019 mm for 0.020 ± 0.003 mm), G14": the rows in this state; those whose verdict is that of a test
+/// are named with it.
 QString namedRows(const EvaluatedDocument &evaluated, const std::vector<SheetResult> &results,
                   SheetState state, const Writer &write) {
     const ReportHead &head = evaluated.document->report;
     QStringList names;
     for (std::size_t i = 0; i < results.size(); ++i) {
         const SheetResult &result = results[i];
-        const bool saidByTest = result.parameter && result.parameter->verdict == verdictOfRow(result);
+        const std::optional<Verdict> verdict = verdictOfRow(result);
+        const bool saidByTest = verdict && result.parameter && result.parameter->verdict == verdict;
         if (result.state != state || saidByTest)
             continue;
         names << nameInSentence(head.sheet[i], i, write);
-        if (!verdictOfRow(result))
+        if (!verdict)
             continue;
         const SheetWords words = sheetWords(evaluated, {}, result, i, write);
         const auto withUnit = [&](const QString &number) {

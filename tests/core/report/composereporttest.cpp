@@ -10,6 +10,7 @@
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "report/attachedfile.h"
 #include "report/blocks/pagetext.h"
+#include "report/parts/parts.h"
 
 #include <QDir>
 #include <QFile>
@@ -812,6 +813,23 @@ private slots:
         std::get<PositioningMeasurement>(test.measurement).uncertainty.misalignmentRange.reset();
         changed.tests = {std::make_shared<const Test>(test)};
         QVERIFY(!text(std::make_shared<const Document>(changed), english).contains(words)); // no U
+    }
+
+    /// A row without a tolerance is named, whether its number is its own or that of a test.
+    void everyRowWithoutAToleranceIsNamed() {
+        Document changed = *document("machine-acceptance-sheet");
+        SheetRow own;
+        own.number = "G8";
+        own.measured = 0.003;
+        SheetRow ofTest;
+        ofTest.number = "P2";
+        ofTest.from = SheetSource{"x1", "M"};
+        changed.report.sheet.push_back(own);
+        changed.report.sheet.push_back(ofTest);
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(changed));
+        const Language english(Language::Id::english);
+        const VerdictStatement said = sheetStatement(evaluated, Writer(english));
+        QVERIFY2(said.text.plain().contains("G8, P2: no tolerance"), qPrintable(said.text.plain()));
     }
 
     /// A range like "11–14," is a word that no line breaks: its column is as wide.
