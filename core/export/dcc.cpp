@@ -50,16 +50,29 @@ const std::string &nameOf(const Machine &machine) {
     return machine.name.empty() ? machine.model : machine.name;
 }
 
-/// Between pass and fail the guard band decides; see dcc.h for tests.
-const char *conformityOf(const Parameter &parameter) {
-    if (*parameter.verdict == Verdict::notProven) {
-        const bool met = judgedValue(*parameter.value, parameter.bound) <=
-                         judgedLimit(*parameter.limit->value, parameter.bound);
-        return met ? "conditionalPass" : "conditionalFail";
-    }
-    return *parameter.verdict == Verdict::conforms ? "pass" : "fail";
+/// Where nothing is proven, a value within its limit passes under a condition.
+const char *conformityOf(Verdict verdict, bool isWithinLimit) {
+    if (verdict == Verdict::notProven)
+        return isWithinLimit ? "conditionalPass" : "conditionalFail";
+    return verdict == Verdict::conforms ? "pass" : "fail";
 }
 
+const char *conformityOf(const Parameter &parameter) {
+    return conformityOf(*parameter.verdict, judgedValue(*parameter.value, parameter.bound) <=
+                                                judgedLimit(*parameter.limit->value, parameter.bound));
+}
+
+/// Precondition: the row has a verdict.
+const char *conformityOf(const SheetResult &row) {
+    if (row.parameter)
+        return conformityOf(*row.parameter);
+    const auto &[low, high] = row.permitted;
+    const double value = low ? *row.value : std::abs(*row.value);
+    return conformityOf(static_cast<Verdict>(row.state),
+                        (!low || value >= *low) && (!high || value <= *high));
+}
+
+/// For verdicts on several values; see dcc.h for tests.
 const char *conformityWord(Verdict verdict) {
     return inOrder(verdict, {"pass", "noPass", "fail"});
 }
@@ -735,7 +748,7 @@ private:
                           QString::fromStdString(row.remark)});
                  }));
             if (result.state <= SheetState::doesNotConform)
-                leaf("dcc:conformity", std::string(conformityWord(static_cast<Verdict>(result.state))));
+                leaf("dcc:conformity", std::string(conformityOf(result)));
         });
     }
 

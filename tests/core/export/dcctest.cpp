@@ -180,6 +180,8 @@ private slots:
     void whatIsMissingIsNamedInOneSentence();
     void conformityOfATestFollowsItsAccordance();
     void textsAreInBothLanguages();
+    void aRowNotProvenIsMappedLikeAParameter_data();
+    void aRowNotProvenIsMappedLikeAParameter();
     void onlyAnEvaluatedUncertaintyIsSaidToBeOne();
 
 private:
@@ -364,6 +366,39 @@ void DccTest::textsAreInBothLanguages() {
     QCOMPARE(certificate.count("lang=\"fr\""), certificate.count("lang=\"en\""));
     QVERIFY(certificate.contains("<dcc:content lang=\"fr\">Essai de positionnement de l’axe"));
     QVERIFY(certificate.contains("<dcc:content lang=\"en\">Positioning test of the"));
+}
+
+void DccTest::aRowNotProvenIsMappedLikeAParameter_data() {
+    QTest::addColumn<double>("measured");
+    QTest::addColumn<Permitted>("permitted");
+    QTest::addColumn<QByteArray>("conformity");
+    QTest::newRow("within") << 0.019 << Permitted{{}, 0.02} << QByteArray("conditionalPass");
+    QTest::newRow("beyond") << 0.021 << Permitted{{}, 0.02} << QByteArray("conditionalFail");
+    QTest::newRow("within, by magnitude") << -0.019 << Permitted{{}, 0.02} << QByteArray("conditionalPass");
+    QTest::newRow("within a range") << -0.009 << Permitted{-0.01, 0.0} << QByteArray("conditionalPass");
+    QTest::newRow("below a range") << -0.011 << Permitted{-0.01, 0.0} << QByteArray("conditionalFail");
+}
+
+// Whichever rule leaves it unproven.
+void DccTest::aRowNotProvenIsMappedLikeAParameter() {
+    QFETCH(double, measured);
+    QFETCH(Permitted, permitted);
+    QFETCH(QByteArray, conformity);
+    for (const Rule rule : {Rule::iso14253_1, Rule::rejectionProven}) {
+        Document document = stated(openDocument(EXAMPLES "machine-acceptance-sheet.palmer"));
+        SheetRow row;
+        row.object = "Checked row";
+        row.measured = measured;
+        row.permitted = permitted;
+        row.uncertainty = 0.003;
+        row.unit = "mm";
+        document.report.sheet = {row};
+        document.report.decisionRule.rule = rule;
+        const QByteArray certificate = dcc(evaluate(std::make_shared<const Document>(document)));
+        const QByteArray row1 = certificate.mid(certificate.indexOf("Checked row"));
+        const qsizetype at = row1.indexOf("<dcc:conformity>");
+        QCOMPARE(row1.mid(at).left(row1.mid(at).indexOf("</")), "<dcc:conformity>" + conformity);
+    }
 }
 
 void DccTest::onlyAnEvaluatedUncertaintyIsSaidToBeOne() {
