@@ -1012,6 +1012,10 @@
         <translation>Correction à 20&#xa0;°C</translation>
     </message>
     <message>
+        <source>Correction to 20 °C: %1.</source>
+        <translation>Correction à 20&#xa0;°C&#xa0;: %1.</translation>
+    </message>
+    <message>
         <source>%1 to %2</source>
         <translation>%1 à %2</translation>
     </message>

@@ -135,10 +135,15 @@ private:
                      text(results.standardDeviation == DeviationMethod::range
                               ? REPORT_TEXT("report", "range method")
                               : REPORT_TEXT("report", "calculation method")));
-        if (m.axis.motion == Motion::linear)
-            head.add(REPORT_TEXT("report", "Correction to 20 °C"),
-                     text(correctionText(m.conditions.common.correctionTo20)));
+        addCorrection(head, m.conditions.common, m.axis.motion == Motion::linear);
         return head.take();
+    }
+
+    /// Adds the correction to 20 °C if it counts for the results or is stated.
+    void addCorrection(LabelledRows &head, const Conditions &conditions, bool counts) const {
+        if (counts || conditions.correctionTo20 != CorrectionTo20::notStated)
+            head.add(REPORT_TEXT("report", "Correction to 20 °C"),
+                     text(correctionText(conditions.correctionTo20)));
     }
 
     [[nodiscard]] QString zoneText(const PositioningMeasurement &m) const {
@@ -173,6 +178,7 @@ private:
                  text(m.referenceCircle == ReferenceCircle::minimumZone
                           ? REPORT_TEXT("report", "minimum zone circles (MZC)")
                           : REPORT_TEXT("report", "least squares circle (LSC)")));
+        addCorrection(head, m.conditions.common, false);
         for (const EvaluatedPath &path : results.paths) {
             const QString sense = text(senseText(path.sense));
             head.add(REPORT_TEXT("report", "Path"),

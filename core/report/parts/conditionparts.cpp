@@ -523,10 +523,25 @@ bool statesTemperatures(const TestPart &part) {
 }
 
 QString correctionOf(const TestPart &part) {
-    const Writer &write = part.write;
-    const bool counts = withKind(part, [](const auto &own) { return own.needsLength(); });
-    return counts ? write.text(correctionText(conditionsOf(part.test)->correctionTo20)) : QString();
+    const CorrectionTo20 correction = conditionsOf(part.test)->correctionTo20;
+    const bool counts = correction != CorrectionTo20::notStated ||
+                        withKind(part, [](const auto &own) { return own.needsLength(); });
+    return counts ? part.write.text(correctionText(correction)) : QString();
 }
+
+namespace {
+
+/// The correction where the results are lengths, `ofLengths`; elsewhere what is stated of one, if anything.
+QString correctionSentence(const auto &part, const Text &ofLengths) {
+    const QString correction = correctionOf(part);
+    return correction.isEmpty()
+               ? QString()
+               : part.write.say(part.needsLength() ? ofLengths
+                                                   : REPORT_TEXT("report", "Correction to 20 °C: %1."),
+                                {correction.toStdString()});
+}
+
+} // namespace
 
 std::optional<Table> sensorTable(const TestPart &part) {
     const Writer &write = part.write;
@@ -570,11 +585,9 @@ void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part) {
 }
 
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
-    const bool linear = part.measurement.axis.motion == Motion::linear;
-    addConditions(blocks, part, environment(part),
-                  linear ? part.write.say(REPORT_TEXT("report", "Nominal differential expansion (NDE): %1."),
-                                          {correctionText(part.measurement.conditions.common.correctionTo20)})
-                         : QString());
+    addConditions(
+        blocks, part, environment(part),
+        correctionSentence(part, REPORT_TEXT("report", "Nominal differential expansion (NDE): %1.")));
 }
 
 void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
@@ -582,10 +595,7 @@ void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
     EnvironmentTable table(part, conditions);
     table.addExpansion(conditions.expansion);
     addConditions(blocks, part, statesTemperatures(part) ? std::optional(std::move(table)) : std::nullopt,
-                  part.needsLength()
-                      ? part.write.say(REPORT_TEXT("report", "F and D at 20 °C: correction %1."),
-                                       {correctionText(conditions.correctionTo20)})
-                      : QString());
+                  correctionSentence(part, REPORT_TEXT("report", "F and D at 20 °C: correction %1.")));
 }
 
 void addFurtherConditions(std::vector<Block> &blocks, const TestPart &part) {

@@ -832,6 +832,23 @@ private slots:
         QVERIFY2(said.text.plain().contains("G8, P2: no tolerance"), qPrintable(said.text.plain()));
     }
 
+    /// A statement on a rotary axis is printed, in a joint table as in that of one test.
+    void theCorrectionOfARotaryAxisIsPrinted() {
+        Document changed = *document("rotary-axis");
+        const Language english(Language::Id::english);
+        const auto joint = [&] {
+            return text(std::make_shared<const Document>(changed), english).simplified();
+        };
+        QVERIFY(joint().contains("Correction to 20 °C: not applied."));
+        changed.tests.push_back(changed.tests.front());
+        QVERIFY(joint().contains("Correction to 20 °C all not applied"));
+        Test test = *changed.tests[0];
+        std::get<PositioningMeasurement>(test.measurement).conditions.common.correctionTo20 =
+            CorrectionTo20::notStated;
+        changed.tests = {std::make_shared<const Test>(test)};
+        QVERIFY(!joint().contains("Correction to 20 °C:"));
+    }
+
     /// A range like "11–14," is a word that no line breaks: its column is as wide.
     void rangesOfTestNumbersFitTheirColumn() {
         constexpr double digit = 1.667; // mm, of Liberation Sans at 8.5 pt; a dash is as wide
@@ -1275,6 +1292,8 @@ private slots:
         // What needs no length needs no temperatures either.
         std::get<CircularMeasurement>(test.measurement).conditions.common.sensors.clear();
         std::get<CircularMeasurement>(test.measurement).conditions.common.expansion = {};
+        std::get<CircularMeasurement>(test.measurement).conditions.common.correctionTo20 =
+            CorrectionTo20::notStated;
         symbols({"G"});
         const QString all = pageText(report(std::make_shared<const Document>(changed), english));
         QVERIFY(!all.contains("°C"));

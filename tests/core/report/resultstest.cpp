@@ -45,6 +45,7 @@ private slots:
     void titlesATestByItsTitleElseItsKind();
     void titlesAStepCycleNotAgreed();
     void saysNotCorrected();
+    void saysTheCorrectionOfARotaryAxis();
     void showsTheSideOfTheLimit();
     void printsADashForWhatIsMissing();
 };
@@ -131,6 +132,14 @@ void ResultsTest::saysNotCorrected() {
     });
     QCOMPARE(resultsText(example("long-axis-with-zone")).simplified().count(words), 0);
     QVERIFY(resultsText(document).simplified().count(words) > 0);
+}
+
+void ResultsTest::saysTheCorrectionOfARotaryAxis() {
+    QVERIFY(resultsText(example("rotary-axis")).simplified().contains("Correction to 20 °C not applied"));
+    const Document document = changed(example("rotary-axis"), [](Test &, PositioningMeasurement &m) {
+        m.conditions.common.correctionTo20 = CorrectionTo20::notStated;
+    });
+    QVERIFY(!resultsText(document).contains("Correction to 20 °C"));
 }
 
 void ResultsTest::showsTheSideOfTheLimit() {
