@@ -278,6 +278,13 @@ void addMethods(QStringList &words, const TestPart &part) {
                       "and U is below the tolerance of u, half a unit of its second digit."));
 }
 
+/// The next number with the decimals shown that is not below: an upper bound rounded down is none.
+double roundedUp(double value, const TestPart &part) {
+    const double scale = unitScale(deviationQuantity(part.test), part.write.language().units()) *
+                         std::pow(10, contributionDecimals);
+    return std::ceil(value * scale) / scale;
+}
+
 /// Adds only the numbers if the methods were explained for an earlier test.
 void addMethodsAsFor(QStringList &words, const TestPart &part, int before) {
     const Writer &write = part.write;
@@ -320,10 +327,10 @@ QString methodText(const TestPart &part, std::optional<int> before) {
                 spread = std::max(spread, 2 * parameter.simulated->expandedError.value_or(0));
         }
         if (spread > 0)
-            words << write.say(REPORT_TEXT("report",
-                                           "Twice the standard deviation of U over the blocks of trials: "
-                                           "at most %1."),
-                               {Number{spread, deviationQuantity(part.test), contributionDecimals}});
+            words << write.say(
+                REPORT_TEXT("report", "Twice the standard deviation of U over the blocks of trials: "
+                                      "at most %1."),
+                {Number{roundedUp(spread, part), deviationQuantity(part.test), contributionDecimals}});
         if (!differing.isEmpty())
             words << write.say(
                 REPORT_TEXT("report",

@@ -815,6 +815,27 @@ private slots:
         QVERIFY(!text(std::make_shared<const Document>(changed), english).contains(words)); // no U
     }
 
+    /// An upper bound that is rounded down is none.
+    void theSpreadOfSimulatedUncertaintiesIsRoundedUp() {
+        EvaluatedDocument evaluated = evaluate(document("budget-2006"));
+        auto drawn = simulation(evaluated, 0);
+        drawn->of = evaluated.document->tests[0];
+        evaluated = withSimulation(evaluated, 0, std::move(*drawn));
+        const Language english(Language::Id::english);
+        const Writer write(english);
+        for (const auto &[error, words] :
+             {std::pair{1e-9, "at most 0.01 µm."}, {2.1e-5, "at most 0.05 µm."}}) {
+            TestEvaluation evaluation = *evaluated.tests[0];
+            for (Parameter &parameter : evaluation.parameters) {
+                if (parameter.simulated)
+                    parameter.simulated->expandedError = error;
+            }
+            const TestPart part{write, evaluated, *evaluated.document->tests[0], evaluation, 0, 1, 1};
+            QString said = methodText(part);
+            QVERIFY2(said.replace(QChar(u'\u00A0'), ' ').contains(words), qPrintable(said));
+        }
+    }
+
     /// A row without a tolerance is named, whether its number is its own or that of a test.
     void everyRowWithoutAToleranceIsNamed() {
         Document changed = *document("machine-acceptance-sheet");
