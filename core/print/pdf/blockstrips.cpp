@@ -775,7 +775,10 @@ public:
         const bool small = paragraph.size == palmer::TextSize::small;
         const TextStyle &style = m_narrow ? (small ? narrowSmallStyle : narrowParagraphStyle)
                                           : (small ? smallStyle : paragraphStyle);
-        return tagged("/P", lineStrips(TextBlock(paragraph.text, style, m_width)));
+        Strips lines = lineStrips(TextBlock(paragraph.text, style, m_width));
+        for (Strip &line : lines)
+            line.inText = true;
+        return tagged("/P", std::move(lines));
     }
     Strips operator()(const KeyValues &values) const { return keyValueStrips(values, m_width); }
     Strips operator()(const Table &table) const {

@@ -268,10 +268,13 @@ private:
         m_part = m_pages.size();
     }
 
-    /// True if a strip may be the first of a page: with `sections` only one that begins a section.
-    [[nodiscard]] static bool mayBegin(const PageStrips &page, std::size_t strip, bool sections) {
+    /// True if a strip may be the first of a page that goes on with `next`: with `sections` only one that
+    /// begins a section, otherwise also a row of a table, whose head is repeated, or a line of a paragraph
+    /// that is split anyway.
+    [[nodiscard]] static bool mayBegin(const PageStrips &page, std::size_t strip, const StripPlace &next,
+                                       bool sections) {
         const StripPlace &first = page.strips[strip];
-        const bool inBlock = first.block < 0; // rows of a table, whose head is repeated
+        const bool inBlock = first.block < 0 && (!first.inText || first.owner == next.owner);
         return !page.strips[strip - 1].withNext && (first.section || (inBlock && !sections));
     }
 
@@ -288,7 +291,7 @@ private:
             for (std::size_t i = before.strips.size(); i-- > 1;) {
                 if (before.strips[i].whole && !before.running)
                     break;
-                if (!mayBegin(before, i, sections))
+                if (!mayBegin(before, i, last.strips.front(), sections))
                     continue;
                 const auto from = before.strips.begin() + static_cast<std::ptrdiff_t>(i);
                 const PageStrips kept{before.running, {before.strips.begin(), from}, before.narrow};

@@ -29,6 +29,7 @@ struct StripPlace {
     bool title = false;     ///< title of a test: precedes its first section
     bool filler = false;    ///< begins a section that may be moved forward in its test to fill a page
     bool whole = false;    ///< end of a table that is not split: gaps on the page of a head may shrink for it
+    bool inText = false;   ///< a line of a paragraph
     bool drawn = false;    ///< draws anything
     bool lowers = false;   ///< a figure that can be drawn lower
     bool lowered = false;  ///< and is

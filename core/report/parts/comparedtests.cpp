@@ -68,6 +68,7 @@ Table parameterTable(const TestComparison &comparison, const PlacedTest &before,
     table.columns.front().fitting = true;
     table.columns.back().fitting = true;
     table.columns[7].paddingLeft = 3;
+    table.columns[8].paddingLeft = 2; // from the longest whisker
     const std::vector<ComparedWords> words = comparedWords(comparison, write.language());
     const char *family = nullptr;
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -183,6 +183,7 @@ private slots:
     void emptyReportHasOnePage();
     void sectionsNeverStartAtTheBottom();
     void figureKeepsItsCaption();
+    void aParagraphIsNotCutToFillTheLastPage();
     void signaturesAreNeverSplit();
     void headOfASplitTableRepeats();
     void runningHeadBeginsOnTheSecondPage();
@@ -240,6 +241,20 @@ void PagesTest::figureKeepsItsCaption() {
         QVERIFY(below);
     }
     QCOMPARE(captions, 16);
+}
+
+/// A text with room on its page gives no line to the figure on the next, however empty that page is.
+void PagesTest::aParagraphIsNotCutToFillTheLastPage() {
+    std::vector<Block> blocks;
+    const Paragraph text{u"BEGIN\na\nb\nc\nd\ne\nf\ng\nh\nEND"_s, TextSize::small};
+    for (int lines = 48; lines <= 60; ++lines)
+        blocks.insert(blocks.end(), {filler(lines), text, Heading{2, u"CAPTION"_s}, figure(), PageBreak{}});
+    std::map<QString, std::vector<int>> pages;
+    for (const PlacedWord &word : placedWords(pdfOf(reportOfBlocks(std::move(blocks)))))
+        pages[word.text].push_back(word.page);
+    QCOMPARE(pages[u"BEGIN"_s].size(), std::size_t(13));
+    QCOMPARE(pages[u"END"_s], pages[u"BEGIN"_s]);
+    QVERIFY(pages[u"CAPTION"_s] != pages[u"END"_s]);
 }
 
 void PagesTest::signaturesAreNeverSplit() {
