@@ -14,11 +14,15 @@ QString testName(const Test &test) {
     const QString name = QString::fromStdString(axesOf(test));
     if (name.isEmpty())
         return QString::fromStdString(test.id);
-    if (kindOf(test) == Kind::drift)
-        return QCoreApplication::translate("palmer::ui::testName", "%1 drift").arg(name);
-    if (!axisOf(test))
+    switch (kindOf(test)) {
+    case Kind::positioning:
+        return QCoreApplication::translate("palmer::ui::testName", "%1 axis").arg(name);
+    case Kind::circular:
         return QCoreApplication::translate("palmer::ui::testName", "%1 circle").arg(name);
-    return QCoreApplication::translate("palmer::ui::testName", "%1 axis").arg(name);
+    case Kind::drift:
+        return QCoreApplication::translate("palmer::ui::testName", "%1 drift").arg(name);
+    }
+    return name;
 }
 
 } // namespace palmer::ui

@@ -82,11 +82,12 @@ NamedFigure figureOf(const EvaluatedDocument &evaluated, std::size_t index,
             throwHasNoFigure(index, budgetWord); // no budget required
         return {figure, figure.title};
     }
-    if (axisOf(test)) {
+    if (!isCircle(test)) {
         const std::string word = asked.value_or(QLatin1StringView(deviationWord)).toStdString();
         const Figure figure = figureOfTest(test, evaluation, language);
         const auto &curves = std::get<CurveFigure>(figure);
-        const bool isEmpty = curves.curves.empty() && !isJudged(test); // a drift test without readings
+        const bool isEmpty =
+            curves.curves.empty() && !traitsOf(test).hasTargets; // only targets are drawn without
         if (word != deviationWord || isEmpty)
             throwHasNoFigure(index, word);
         return {figure, curves.title};

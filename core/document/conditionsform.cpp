@@ -32,9 +32,6 @@ const PositioningMeasurement *axisTest(const Test &test) {
 bool ofAxis(const Test &test) {
     return axisTest(test);
 }
-bool ofCircle(const Test &test) {
-    return !ofAxis(test);
-}
 bool linear(const Test &test) {
     return ofAxis(test) && motionOf(test) == Motion::linear;
 }
@@ -74,8 +71,8 @@ const std::array rows{
     FormRow{{}, {"positionFeedback", "", 3, REPORT_TEXT("report", "Measuring system")}, Standing::asked, ofAxis},
     FormRow{{}, {"zone", "", 5}, Standing::asked, longAxis},
     FormRow{{}, {"scaleElement", "", 5, REPORT_TEXT("report", "Element of the scale (0: continuous)")}, Standing::byAsked, linear},
-    FormRow{{}, {"positionFeedback", "", 6, REPORT_TEXT("report", "Measuring system")}, Standing::asked, ofCircle},
-    FormRow{{}, {"referenceLength", "", 6, REPORT_TEXT("report", "Reference length calibrated")}, Standing::byAsked, ofCircle},
+    FormRow{{}, {"positionFeedback", "", 6, REPORT_TEXT("report", "Measuring system")}, Standing::asked, isCircle},
+    FormRow{{}, {"referenceLength", "", 6, REPORT_TEXT("report", "Reference length calibrated")}, Standing::byAsked, isCircle},
     FormRow{REPORT_TEXT("report", "Cycle"), {"cycle", "", 4}, Standing::asked, ofAxis},
     FormRow{{}, {"feedMode", "", 4}, Standing::asked},
     FormRow{{}, {"feed", "", 4}, Standing::asked, isJudged},
@@ -88,8 +85,8 @@ const std::array rows{
     FormRow{{}, {"recentredBetweenRuns", "", 6}},
     FormRow{{}, {"standardDeviation", "", 4, REPORT_TEXT("report", "Standard deviation")}, Standing::asked, rangeMethod},
     FormRow{{}, {"continuousDevice", "", 6}, Standing::byAsked, rotary},
-    FormRow{{}, {"specified", "diameter", 4, REPORT_TEXT("report", "Specified diameter")}, Standing::byAsked, ofCircle},
-    FormRow{{}, {"specified", "feed", 4, REPORT_TEXT("report", "Specified feed")}, Standing::byAsked, ofCircle},
+    FormRow{{}, {"specified", "diameter", 4, REPORT_TEXT("report", "Specified diameter")}, Standing::byAsked, isCircle},
+    FormRow{{}, {"specified", "feed", 4, REPORT_TEXT("report", "Specified feed")}, Standing::byAsked, isCircle},
     FormRow{REPORT_TEXT("report", "Targets"), {"targetChoice", "kind", 5}, Standing::asked, ofAxis},
     FormRow{{}, {"targetChoice", "interval", 3, REPORT_TEXT("report", "Nominal interval")}, Standing::asked, chosenFreely},
     FormRow{{}, {"targetChoice", "period", 4, REPORT_TEXT("report", "Period of the error")}, Standing::asked, chosenFreely},

@@ -292,12 +292,15 @@ void check(const Document &document, const Place &place) {
 
     std::set<std::string_view> tests;
     std::set<std::string_view> drifts;
+    std::set<std::string_view> judged;
     const Place atTests(place, "tests");
     for (std::size_t i = 0; i < document.tests.size(); ++i) {
         const Test &test = *document.tests[i];
         requireNew(tests, test.id, Place(atTests, i));
-        if (!isJudged(test) && !test.id.empty())
+        if (isDrift(test) && !test.id.empty())
             drifts.insert(test.id);
+        if (isJudged(test) && !test.id.empty())
+            judged.insert(test.id);
     }
 
     for (std::size_t i = 0; i < document.tests.size(); ++i) {
@@ -310,8 +313,7 @@ void check(const Document &document, const Place &place) {
                          REPORT_TEXT("report", "expected the id of an instrument of this file; “%1” is none"),
                          {excerpt(test.instruments[k])});
         if (const auto &compared = test.comparedWith;
-            compared &&
-            (compared->test == test.id || drifts.contains(compared->test) || !tests.contains(compared->test)))
+            compared && (compared->test == test.id || !judged.contains(compared->test)))
             refuseAt(Place(Place(atTest, "comparedWith"), "test"),
                      REPORT_TEXT("report", "expected the id of another test of this file, no drift test; "
                                            "“%1” is none"),

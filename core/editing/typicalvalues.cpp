@@ -70,7 +70,7 @@ std::vector<TestPointer> driftTestsFor(const Document &document, const Test &tes
     std::vector<TestPointer> result;
     const std::string *named = driftTestOf(test);
     for (const TestPointer &other : document.tests) {
-        if (!isJudged(*other) && !other->id.empty() &&
+        if (isDrift(*other) && !other->id.empty() &&
             (motionOf(*other) == motionOf(test) || driftVariation(document, other->id, test) ||
              (named && *named == other->id)))
             result.push_back(other);
@@ -81,9 +81,9 @@ std::vector<TestPointer> driftTestsFor(const Document &document, const Test &tes
 std::vector<TypicalValue> typicalValues(const Document &document, const Test &test,
                                         const Language &language) {
     std::vector<TypicalValue> values;
-    if (std::holds_alternative<DriftMeasurement>(test.measurement))
+    if (!methodOf(test))
         return values; // has no uncertainty
-    if (!axisOf(test))
+    if (isCircle(test))
         addCircular(values, document, test, language);
     else if (motionOf(test) == Motion::linear)
         addLinear(values, language);

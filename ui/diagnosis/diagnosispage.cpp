@@ -162,7 +162,7 @@ QWidget *DiagnosisPage::makeBelow() {
 void DiagnosisPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
     m_test = test;
-    if (test >= evaluated.tests.size() || axisOf(*evaluated.document->tests[test])) {
+    if (test >= evaluated.tests.size() || !isCircle(*evaluated.document->tests[test])) {
         m_evaluated = {};
         return;
     }

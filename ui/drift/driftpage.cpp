@@ -148,7 +148,7 @@ const Test *DriftPage::test() const {
     if (m_test >= m_evaluated.tests.size())
         return nullptr;
     const Test &shown = *m_evaluated.document->tests[m_test];
-    return isJudged(shown) ? nullptr : &shown;
+    return isDrift(shown) ? &shown : nullptr;
 }
 
 QString DriftPage::takenBy() const {

@@ -214,8 +214,8 @@ std::optional<CurveFigure> FigureView::figure() const {
 
 void FigureView::refresh() {
     const Test *test = shownTest();
-    const bool curves = test && axisOf(*test);
     const bool circular = showsCircles();
+    const bool curves = test && !circular;
     m_making.cancel();
     m_zooming.cancel();
     for (QWidget *button : std::initializer_list<QWidget *>{m_zoom, m_copy, m_save, m_detach, m_maximise})
@@ -364,7 +364,7 @@ const Test *FigureView::shownTest() const {
 
 bool FigureView::showsCircles() const {
     const Test *test = shownTest();
-    return test && !axisOf(*test);
+    return test && isCircle(*test);
 }
 
 QString FigureView::deviationText(const ReadingPlace &point) const {

@@ -77,11 +77,11 @@ QWidget *part(QWidget *parent, QLabel *title, QWidget *beside, QWidget *content)
 /// The curve thinned to the screen's resolution; null for circles.
 std::optional<CurveFigure> curveOf(const EvaluatedDocument &evaluated, const Language &language) {
     const Test &test = *evaluated.document->tests[0];
-    if (!axisOf(test))
+    if (isCircle(test))
         return std::nullopt;
     const CurveFigure figure = [&] {
-        if (!isJudged(test))
-            return driftFigure(test, *evaluated.tests[0], language);
+        if (!traitsOf(test).hasTargets)
+            return std::get<CurveFigure>(figureOfTest(test, *evaluated.tests[0], language));
         DeviationFigureOptions options;
         options.dimensions = false; // results are not examined before the readings are correct
         return deviationFigure(test, *evaluated.tests[0], language, options);

@@ -16,9 +16,15 @@
 namespace palmer::ui {
 
 QString testIcon(const Test &test) {
-    if (!isJudged(test))
+    switch (kindOf(test)) {
+    case Kind::positioning:
+        return QStringLiteral("axis");
+    case Kind::circular:
+        return QStringLiteral("circle");
+    case Kind::drift:
         return QStringLiteral("trend");
-    return axisOf(test) ? QStringLiteral("axis") : QStringLiteral("circle");
+    }
+    return {};
 }
 
 QString shortStandard(const std::string &edition) {

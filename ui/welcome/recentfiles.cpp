@@ -57,7 +57,7 @@ RecentFile describeFile(const QString &path, const EvaluatedDocument &evaluated)
     QStringList axes;
     for (const TestPointer &test : document.tests) {
         const QString axis = QString::fromStdString(axesOf(*test));
-        if (axisOf(*test))
+        if (!isCircle(*test))
             file.circular = false;
         if (!axis.isEmpty() && !axes.contains(axis))
             axes += axis;

@@ -70,6 +70,14 @@ struct KindOfTest {
     return traitsOf(test).isJudged;
 }
 
+/// True for a test of this kind. Not the same as “not judged” or “of a plane”, which other kinds may be, too.
+[[nodiscard]] inline bool isDrift(const Test &test) {
+    return kindOf(test) == Kind::drift;
+}
+[[nodiscard]] inline bool isCircle(const Test &test) {
+    return kindOf(test) == Kind::circular;
+}
+
 /// Calls `use` with the uncertainty inputs of a test, for members common to all kinds (method, seed, …); does
 /// nothing for kinds without a budget.
 template <class AnyTest, class Use>

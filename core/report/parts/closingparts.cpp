@@ -130,7 +130,7 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
     values.labelWidth = statementLabels;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         const Test &test = *evaluated.document->tests[i];
-        if (isJudged(test))
+        if (!isDrift(test))
             continue;
         const auto range = rangeAtRest(test);
         const QString found = range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),

@@ -128,8 +128,8 @@ public:
             const auto isOneOf = [key](const auto &keys) {
                 return std::ranges::find(keys, key) != keys.end();
             };
-            const bool placed =
-                isOneOf(placedConditions) || isOneOf(m_keys) || (!axisOf(m_test) && isOneOf(placedOfCircles));
+            const bool placed = isOneOf(placedConditions) || isOneOf(m_keys) ||
+                                (isCircle(m_test) && isOneOf(placedOfCircles));
             if (!placed)
                 addStated(key.data());
         }

@@ -165,7 +165,7 @@ const Test *driftTestOf(const TestPart &part) {
         return nullptr;
     const auto &tests = part.document().tests;
     const auto found = std::ranges::find_if(
-        tests, [&](const TestPointer &other) { return other->id == *id && !isJudged(*other); });
+        tests, [&](const TestPointer &other) { return other->id == *id && isDrift(*other); });
     return found == tests.end() ? nullptr : found->get();
 }
 
