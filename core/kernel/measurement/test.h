@@ -70,7 +70,6 @@ struct ComparedWith {
 
 /// In the order of the alternatives of Test::measurement.
 enum class Kind { positioning, circular, drift };
-inline constexpr std::array allKinds{Kind::positioning, Kind::circular, Kind::drift};
 
 /// One test of a report: the parts common to all kinds, and the measurement. `edition` is the word in the
 /// file, echoed literally; drift tests have none. `extensions` is a JSON object kept as text.
@@ -97,11 +96,17 @@ struct Test {
     bool operator==(const Test &) const = default;
 };
 
-static_assert(allKinds.size() == std::variant_size_v<decltype(Test::measurement)>);
+/// As many as there are measurements.
+inline constexpr auto allKinds = [] {
+    std::array<Kind, std::variant_size_v<decltype(Test::measurement)>> kinds{};
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        kinds[i] = static_cast<Kind>(i);
+    return kinds;
+}();
 
 /// Returns the kind of a test, given by its measurement.
 [[nodiscard]] inline Kind kindOf(const Test &test) {
-    return allKinds.at(test.measurement.index());
+    return static_cast<Kind>(test.measurement.index());
 }
 
 } // namespace palmer

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace palmer {
 
@@ -42,15 +43,21 @@ bool isIncomplete(const PositioningMeasurement &measurement) {
     return measurement.runs.empty() || measurement.targets.empty();
 }
 
-bool isIncomplete(const auto & /*measurement*/) {
+bool isIncomplete(const CircularMeasurement & /*measurement*/) {
+    return false;
+}
+
+bool isIncomplete(const DriftMeasurement & /*measurement*/) {
     return false;
 }
 
 } // namespace
 
 Test testOf(Kind kind) {
-    static const std::array<decltype(Test::measurement), allKinds.size()> measurements{
-        PositioningMeasurement(), CircularMeasurement(), DriftMeasurement()};
+    static const auto measurements = []<std::size_t... kinds>(std::index_sequence<kinds...>) {
+        return std::array{decltype(Test::measurement)(std::in_place_index<kinds>)...};
+    }
+    (std::make_index_sequence<allKinds.size()>());
     Test test;
     test.measurement = measurements.at(static_cast<std::size_t>(kind));
     return test;
