@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/fileversion.h"
 #include "kernel/evaluation/edition.h"
 
 #include <array>
@@ -11,18 +12,30 @@
 
 namespace palmer {
 
-/// A word of the file format and its value.
+/// A word of the file format, its value, and the oldest version of the format that has it.
 template <class Enumeration>
 struct FileWord {
     Enumeration value;
     const char *word = nullptr;
+    long long since = firstVersion;
+};
+
+/// The text of a word, in a version later than the first: `Since{"annex", 3}`.
+struct Since {
+    constexpr Since(const char *text, long long version = firstVersion)
+        : word(text)
+        , since(version) {}
+
+    const char *word = nullptr;
+    long long since = firstVersion;
 };
 
 /// Returns the rows of an enumeration from its words in the order of its values, which count from 0.
 template <class Enumeration, class... Words>
 constexpr auto wordsInOrder(Words... words) {
     int next = 0;
-    return std::array{FileWord<Enumeration>{static_cast<Enumeration>(next++), words}...};
+    return std::array{
+        FileWord<Enumeration>{static_cast<Enumeration>(next++), Since(words).word, Since(words).since}...};
 }
 
 /// The words of the file format, one table per enumeration: each word exists once.
@@ -31,6 +44,7 @@ inline constexpr auto fileWords = nullptr;
 
 template <>
 inline constexpr auto fileWords<Kind> = wordsInOrder<Kind>("positioning", "circular", "drift");
+static_assert(fileWords<Kind>.size() == allKinds.size());
 template <>
 inline constexpr auto fileWords<Motion> = wordsInOrder<Motion>("linear", "rotary");
 template <>
@@ -108,11 +122,12 @@ inline constexpr auto fileWords<Signer> = wordsInOrder<Signer>("operator", "labo
 template <>
 inline constexpr auto fileWords<ReportExtra> = wordsInOrder<ReportExtra>("readingMarks", "meanRepeatability",
                                                                          "repetitions", "allReadings",
-                                                                         "diagnosis");
+                                                                         Since("diagnosis", 2));
 template <>
-inline constexpr auto
-    fileWords<ReportPart> = wordsInOrder<ReportPart>("readings", "targetTable", "uncertainty", "findings",
-                                                     "diagnosis", "signatures", "temperatureCurve", "annex");
+inline constexpr auto fileWords<ReportPart> = wordsInOrder<ReportPart>("readings", "targetTable",
+                                                                       "uncertainty", "findings", "diagnosis",
+                                                                       "signatures", "temperatureCurve",
+                                                                       Since("annex", 3));
 template <>
 inline constexpr auto fileWords<AgreementState> = wordsInOrder<AgreementState>("notAgreed", "agreed",
                                                                                "notApplicable");
@@ -124,6 +139,15 @@ template <class Enumeration>
         if (row.value == value)
             return row.word;
     return "";
+}
+
+/// Returns the oldest version of the format that has the word of a value.
+template <class Enumeration>
+[[nodiscard]] constexpr long long sinceVersion(Enumeration value) {
+    for (const auto &row : fileWords<Enumeration>)
+        if (row.value == value)
+            return row.since;
+    return firstVersion;
 }
 
 /// Returns the value of a word, or null.

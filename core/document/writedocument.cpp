@@ -182,9 +182,12 @@ private:
 
     template <class T>
     void look(const T &value) {
-        if constexpr (std::same_as<T, TestPointer>)
+        if constexpr (std::is_enum_v<T>)
+            need(true, sinceVersion(value));
+        else if constexpr (std::same_as<T, TestPointer>) {
+            look(kindOf(*value));
             fields(*this, *value);
-        else if constexpr (std::is_class_v<T> && !isScalar<T>)
+        } else if constexpr (std::is_class_v<T> && !isScalar<T>)
             fields(*this, value);
     }
     template <class T>
@@ -194,7 +197,7 @@ private:
     }
     template <class T>
     void look(const std::vector<T> &values) {
-        if constexpr (!isScalar<T>) {
+        if constexpr (!isScalar<T> || std::is_enum_v<T>) {
             for (const T &value : values)
                 look(value);
         }
@@ -206,12 +209,6 @@ private:
     }
     void look(const Point3 &) {}
     void look(const Permitted &) {}
-    void look(const std::vector<ReportPart> &parts) {
-        need(std::ranges::find(parts, ReportPart::annex) != parts.end(), 3);
-    }
-    void look(const std::vector<ReportExtra> &extras) {
-        need(std::ranges::find(extras, ReportExtra::diagnosis) != extras.end(), 2);
-    }
 
     long long m_version = firstVersion;
 };
