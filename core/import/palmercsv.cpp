@@ -71,12 +71,17 @@ public:
         takeApart();
         const std::string kind = settled("kind", stated("kind"));
         resolveUnit();
-        if (kind == fileWord(Kind::positioning))
+        switch (ofFileWord<Kind>(kind).value_or(Kind::drift)) { // else temperatures
+        case Kind::positioning:
             takeRuns();
-        else if (kind == fileWord(Kind::circular))
+            break;
+        case Kind::circular:
             takeArcs();
-        else
+            break;
+        case Kind::drift:
             takeDrift();
+            break;
+        }
         Document document = documentOf(m_statements);
         m_imported.test = *document.tests.front();
         m_imported.machine = std::move(document.machine);

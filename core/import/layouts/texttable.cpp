@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
+#include "document/filewords.h"
 #include "import/layouts/tablebody.h"
 #include "import/layouts/tablereading.h"
 #include "tables/contenterror.h"
@@ -268,12 +269,17 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
             : kind.value == "drift"
                 ? REPORT_TEXT("report", "Kind: nothing in the file says it; read as a drift test.")
                 : REPORT_TEXT("report", "Kind: nothing in the file says it; read as a positioning test."));
-    if (kind.value == "circular")
-        readCircles(reading);
-    else if (kind.value == "positioning")
+    switch (ofFileWord<Kind>(kind.value).value_or(Kind::drift)) { // else temperatures
+    case Kind::positioning:
         readPositioning(reading);
-    else
+        break;
+    case Kind::circular:
+        readCircles(reading);
+        break;
+    case Kind::drift:
         readSeries(reading, kind.value == "temperatures");
+        break;
+    }
     takeNotes(reading.notes, imported);
 }
 

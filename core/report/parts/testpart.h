@@ -11,6 +11,7 @@
 #include "report/blocks/report.h"
 
 #include <QStringList>
+#include <variant>
 
 namespace palmer {
 
@@ -132,13 +133,22 @@ struct CircularPart : TestPart {
     [[nodiscard]] QString plane() const;
 };
 
-/// Calls `use` with the part of its kind; a test with an edition is one of two kinds.
+/// Calls `use` with the part of its kind. Precondition: a test that editions judge.
 template <class Use>
 auto withKind(const TestPart &part, Use use) {
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
-        return use(PositioningPart{part, *positioning, resultsOf(*positioning, part.evaluation)});
-    const auto &circular = std::get<CircularMeasurement>(part.test.measurement);
-    return use(CircularPart{part, circular, resultsOf(circular, part.evaluation)});
+    switch (kindOf(part.test)) {
+    case Kind::positioning: {
+        const auto &positioning = std::get<PositioningMeasurement>(part.test.measurement);
+        return use(PositioningPart{part, positioning, resultsOf(positioning, part.evaluation)});
+    }
+    case Kind::circular: {
+        const auto &circular = std::get<CircularMeasurement>(part.test.measurement);
+        return use(CircularPart{part, circular, resultsOf(circular, part.evaluation)});
+    }
+    case Kind::drift:
+        break;
+    }
+    throw std::bad_variant_access();
 }
 
 /// "Positioning test of the X axis".
