@@ -113,9 +113,10 @@ std::map<int, MachineDue> dueDates(Database &database, const std::vector<ListedM
         if (machine.months)
             intervals.emplace(machine.id, *machine.months);
     }
-    QSqlQuery &last = database.run(
-        withNewestDays(QStringLiteral("kind <> 'drift' and purpose in ('periodic', 'acceptance')")) +
-        QStringLiteral("select machine, axis, day from last where day is not null"));
+    QSqlQuery &last =
+        database.run(withNewestDays(isJudgedKind(QStringLiteral("kind")) +
+                                    QStringLiteral(" and purpose in ('periodic', 'acceptance')")) +
+                     QStringLiteral("select machine, axis, day from last where day is not null"));
     while (last.next()) {
         const auto months = intervals.find(last.value(0).toInt());
         const QDate date = QDate::fromString(last.value(2).toString(), Qt::ISODate);

@@ -212,11 +212,12 @@ std::map<int, std::vector<AxisState>> axisStates(Database &database) {
     // If there are several tests on one day, the latest, in the order of tests().
     std::map<std::pair<int, QString>, std::pair<QString, AxisState>> newest;
     QSqlQuery &query = database.run(
-        withNewestDays(QStringLiteral("kind <> 'drift'")) +
+        withNewestDays(isJudgedKind(QStringLiteral("kind"))) +
         QStringLiteral(
             "select test.machine, test.axis, test.kind, test.verdict, test.accordance, test.time, "
             "test.role, test.digest from test, last where test.machine = last.machine and test.axis "
-            "= last.axis and test.date = last.day and test.kind <> 'drift'"));
+            "= last.axis and test.date = last.day and ") +
+        isJudgedKind(QStringLiteral("test.kind")));
     while (query.next()) {
         int machine = 0;
         AxisState state;

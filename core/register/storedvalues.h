@@ -4,9 +4,11 @@
 
 #include "document/filewords.h"
 #include "document/resultwords.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <QtSql/QSqlQuery>
 
+#include <QStringList>
 #include <QVariant>
 #include <optional>
 #include <string>
@@ -33,6 +35,16 @@ inline const QString resultColumns = QStringLiteral(
                           "axis, (select max(date) from test where test.machine = pair.machine and test.axis "
                           "= pair.axis and %1) from pair where axis is not null) ")
         .arg(condition);
+}
+
+/// Returns the condition that `kind` is one that editions judge.
+[[nodiscard]] inline QString isJudgedKind(const QString &kind) {
+    QStringList words;
+    for (const auto &row : fileWords<Kind>) {
+        if (traitsOf(row.value).isJudged)
+            words += u'\'' + QLatin1StringView(row.word) + u'\'';
+    }
+    return kind + QStringLiteral(" in (") + words.join(QStringLiteral(", ")) + u')';
 }
 
 /// Returns a value as it is stored: texts in UTF-16, yes as 1 and no as 0, words of enumerations.
