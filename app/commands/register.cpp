@@ -34,7 +34,7 @@ constexpr std::array registerOptions{
     Option{"register", "PATH|postgresql://…", REPORT_TEXT("report", "the register; without it that of the user")},
     Option{"machine", "WORDS", REPORT_TEXT("report", "list, trend, report: name or serial number of the machine, its number in the list, or what names, maker, type or place contain")},
     Option{"axis", "X|XY", REPORT_TEXT("report", "list, trend, type: the axis, or the plane of circles")},
-    Option{"kind", "positioning|circular|drift", REPORT_TEXT("report", "list: the kind of test")},
+    Option{"kind", wordsToChoose<Kind>.data(), REPORT_TEXT("report", "list: the kind of test")},
     Option{"since", "DATE", REPORT_TEXT("report", "list: tests from that day on (YYYY-MM-DD)")},
     Option{"until", "DATE", REPORT_TEXT("report", "list: tests up to that day")},
     Option{"verdict", "respected|notProven|exceeded|noneAgreed", REPORT_TEXT("report", "list: how the tests stand to their limits")},
@@ -171,11 +171,7 @@ std::optional<Kind> kindOption(const Invocation &invocation) {
     const auto given = invocation.value("kind");
     if (!given)
         return std::nullopt;
-    for (const auto &row : fileWords<Kind>) {
-        if (*given == QLatin1StringView(row.word))
-            return row.value;
-    }
-    refuse("kind", *given, "positioning, circular, drift");
+    return ofFileWord<Kind>(given->toStdString()); // one of them: the option says so
 }
 
 void listFiles(Database &database, const Invocation &invocation) {

@@ -150,6 +150,26 @@ template <class Enumeration>
     return firstVersion;
 }
 
+/// The words of an enumeration as the placeholder of an option: "positioning|circular|drift".
+template <class Enumeration>
+inline constexpr auto wordsToChoose = [] {
+    constexpr std::size_t size = [] {
+        std::size_t sum = 0;
+        for (const auto &row : fileWords<Enumeration>)
+            sum += std::string_view(row.word).size() + 1;
+        return sum;
+    }();
+    std::array<char, size> text{};
+    std::size_t at = 0;
+    for (const auto &row : fileWords<Enumeration>) {
+        if (at > 0)
+            text[at++] = '|';
+        for (const char character : std::string_view(row.word))
+            text[at++] = character;
+    }
+    return text; // the last character is the end
+}();
+
 /// Returns the value of a word, or null.
 template <class Enumeration>
 [[nodiscard]] constexpr std::optional<Enumeration> ofFileWord(std::string_view word) {

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/choices.h"
 
+#include "document/filewords.h"
 #include "import/formats.h"
 #include "import/layouts/columnrole.h"
 #include "import/layouts/sections.h"
 #include "import/question.h"
 #include "kernel/evaluation/edition.h"
+#include "kernel/measurement/testfacts.h"
 #include "kernel/words/shortest.h"
 #include "tables/contenterror.h"
 
@@ -46,11 +48,17 @@ constexpr auto delimiterWords =
                                {"blanks", REPORT_TEXT("report", "blanks")}});
 constexpr auto markWords = std::to_array<ImportWord>(
     {{"point", REPORT_TEXT("report", "point .")}, {"comma", REPORT_TEXT("report", "comma ,")}});
-constexpr auto kindWords =
-    std::to_array<ImportWord>({{"positioning", REPORT_TEXT("report", "positioning test")},
-                               {"circular", REPORT_TEXT("report", "circular test")},
-                               {"drift", REPORT_TEXT("report", "drift test")},
-                               {"temperatures", REPORT_TEXT("report", "temperatures over time")}});
+/// The kinds of tests, and temperatures that belong to one.
+std::span<const ImportWord> kindWords() {
+    static const auto words = [] {
+        std::vector<ImportWord> named;
+        for (const auto &row : fileWords<Kind>)
+            named.push_back({row.word, traitsOf(row.value).name});
+        named.push_back({"temperatures", REPORT_TEXT("report", "temperatures over time")});
+        return named;
+    }();
+    return words;
+}
 constexpr auto layoutWords =
     std::to_array<ImportWord>({{"targetsDown", REPORT_TEXT("report", "targets down, runs across")},
                                {"runsDown", REPORT_TEXT("report", "runs down, targets across")},
@@ -118,7 +126,7 @@ const auto keys = std::to_array<ImportKey>({
     {"table", REPORT_TEXT("report", "Table"), ImportValue::number, {}, Asked::guess},
     {"lines", REPORT_TEXT("report", "Lines"), ImportValue::text},
     {"part", REPORT_TEXT("report", "Lines of one test"), ImportValue::text, {}, Asked::guess},
-    {"kind", REPORT_TEXT("report", "Kind"), ImportValue::word, kindWords, Asked::guess},
+    {"kind", REPORT_TEXT("report", "Kind"), ImportValue::word, kindWords(), Asked::guess},
     {"columns", REPORT_TEXT("report", "Columns"), ImportValue::text, {}, Asked::guess},
     {"series", REPORT_TEXT("report", "Process variable"), ImportValue::text, {}, Asked::guess},
     {"layout", REPORT_TEXT("report", "Layout"), ImportValue::word, layoutWords, Asked::guess},

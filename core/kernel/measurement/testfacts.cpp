@@ -66,9 +66,12 @@ Test testOf(Kind kind) {
 const KindOfTest &traitsOf(Kind kind) {
     static constexpr std::array rows{
         // in the order of allKinds
-        KindOfTest{.isJudged = true, .isOfAxis = true, .hasTargets = true},
-        KindOfTest{.isJudged = true},
-        KindOfTest{.isOfAxis = true},
+        KindOfTest{.name = REPORT_TEXT("report", "positioning test"),
+                   .isJudged = true,
+                   .isOfAxis = true,
+                   .hasTargets = true},
+        KindOfTest{.name = REPORT_TEXT("report", "circular test"), .isJudged = true},
+        KindOfTest{.name = REPORT_TEXT("report", "drift test"), .isOfAxis = true},
     };
     static_assert(rows.size() == allKinds.size());
     return rows.at(static_cast<std::size_t>(kind));

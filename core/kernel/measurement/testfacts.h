@@ -4,6 +4,7 @@
 
 #include "kernel/measurement/test.h"
 #include "kernel/words/quantity.h"
+#include "kernel/words/text.h"
 
 #include <cstddef>
 #include <type_traits>
@@ -36,6 +37,7 @@ concept Unjudged = !requires(Measurement & measurement) {
 
 /// Properties of a kind of test.
 struct KindOfTest {
+    Text name;
     bool isJudged = false;   ///< has an edition, points to agree and limits
     bool isOfAxis = false;   ///< tests one axis, otherwise a plane
     bool hasTargets = false; ///< has readings in runs at target positions
