@@ -3,6 +3,7 @@
 #include "document/documenterror.h"
 #include "document/json.h"
 #include "document/place.h"
+#include "document/readingpaths.h"
 #include "kernel/words/characters.h"
 
 #include <nlohmann/json.hpp>
@@ -200,8 +201,7 @@ private:
                 refuseToken(REPORT_TEXT("report", "“:”"));
             ++m_at;
             skipSpace();
-            parseValue(member->second, inner, depth + 1,
-                       member->first == "deviations" || member->first == "radialDeviations");
+            parseValue(member->second, inner, depth + 1, isListOfReadings(member->first));
             skipSpace();
             if (current() != ',' && current() != '}')
                 refuseToken(REPORT_TEXT("report", "“,” or “}”"));
