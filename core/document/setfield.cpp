@@ -222,16 +222,12 @@ void requirePossible(const Document &before, const Document &changed) {
 /// Returns a file with every key of the format: a test of each kind, and additions of the latest version.
 json fileOfAllKinds() {
     Document document;
-    const auto add = [&document](auto measurement) {
-        Test test;
+    for (const Kind kind : allKinds) {
+        Test test = testOf(kind);
         test.id = std::to_string(document.tests.size());
         test.role = TestRole::asFound;
-        test.measurement = std::move(measurement);
         document.tests.push_back(std::make_shared<const Test>(std::move(test)));
-    };
-    add(PositioningMeasurement());
-    add(CircularMeasurement());
-    add(DriftMeasurement());
+    }
     return fileOf(document);
 }
 
