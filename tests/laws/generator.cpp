@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 namespace palmer::laws {
 
@@ -89,9 +90,21 @@ std::string joined(const Path &path) {
     return result;
 }
 
+const std::array<Generator::Maker, 3> Generator::makers{
+    Maker{"positioning", 0.6, &Generator::positioning},
+    Maker{"circular", 0.35, &Generator::circular},
+    Maker{"drift", 0.05, &Generator::drift},
+};
+
 Generator::Generator(Json schema, std::uint64_t seed)
     : m_schema(std::move(schema))
-    , m_random(seed) {}
+    , m_random(seed) {
+    for (const Json &kind : m_schema.at("/properties/tests/items/properties/kind/enum"_json_pointer)) {
+        const auto word = kind.get<std::string>();
+        if (std::ranges::find(makers, word, &Maker::kind) == makers.end())
+            throw std::logic_error("no file with a test of this kind is made: " + word);
+    }
+}
 
 const Json &Generator::resolved(const Json &schema) const {
     const auto found = schema.find("$ref");
@@ -279,7 +292,6 @@ void Generator::measurePaths(Json &test) {
 Json Generator::positioning() {
     const Json &schema = m_schema.at("$defs").at("positioningTest");
     Json test = object(schema);
-    test["kind"] = "positioning";
     test["edition"] = value(schema.at("properties").at("edition"), "edition");
     // Ends farther apart than the travel: one of them is wrong, and to take the wrong one away is no silence.
     const Json axis = test.value("axis", Json::object());
@@ -302,7 +314,6 @@ Json Generator::positioning() {
 Json Generator::circular() {
     const Json &schema = m_schema.at("$defs").at("circularTest");
     Json test = object(schema);
-    test["kind"] = "circular";
     test["edition"] = value(schema.at("properties").at("edition"), "edition");
     test["plane"] = {{"first", "X"}, {"second", "Y"}};
     measurePaths(test);
@@ -318,7 +329,6 @@ Json Generator::circular() {
 
 Json Generator::drift() {
     Json test = object(m_schema.at("$defs").at("driftTest"));
-    test["kind"] = "drift";
     test["times"] = {0, 60, 120.5};
     if (chance(0.5)) {
         test["deviations"] = {0.0, 0.0004, 0.0011};
@@ -330,6 +340,16 @@ Json Generator::drift() {
     test["temperatures"] = Json::array({{{"measures", text(40)},
                                          {"resolution", rounded(between(0.01, 0.2), 2)},
                                          {"values", {20.1, 20.4, nullptr}}}});
+    return test;
+}
+
+Json Generator::anyTest() {
+    double place = between(0, 1);
+    auto maker = makers.begin();
+    for (; maker + 1 != makers.end() && place >= maker->share; ++maker)
+        place -= maker->share;
+    Json test = (this->*maker->make)();
+    test["kind"] = maker->kind;
     return test;
 }
 
@@ -364,8 +384,7 @@ Json Generator::file() {
     file["tests"] = Json::array();
     const int count = chance(0.7) ? 1 : 2 + below(2);
     for (int i = 0; i < count; ++i) {
-        const double kind = between(0, 1);
-        Json test = kind < 0.6 ? positioning() : kind < 0.95 ? circular() : drift();
+        Json test = anyTest();
         test["id"] = "t" + std::to_string(i + 1);
         file["tests"].push_back(std::move(test));
     }

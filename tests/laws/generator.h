@@ -4,9 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace palmer::laws {
@@ -20,9 +22,11 @@ using Path = std::vector<std::string>;
 
 /// Makes test files from the JSON schema: a key that is added there is generated from then on. Numbers, words
 /// and texts are the schema's; the measurement and what ties fields together (ids, lengths of lists, `from`
-/// below `to`) is made here. Every text is unique in its file, so that it can be looked for on a page.
+/// below `to`) is made here, so that each kind of test has its maker. Every text is unique in its file, so
+/// that it can be looked for on a page.
 class Generator {
 public:
+    /// Throws std::logic_error for a kind of test in the schema that is not made here.
     Generator(Json schema, std::uint64_t seed);
 
     /// A file with one to three tests of any kind, edition, direction and number of runs; each of its fields
@@ -47,6 +51,7 @@ private:
     [[nodiscard]] Json positioning();
     [[nodiscard]] Json circular();
     [[nodiscard]] Json drift();
+    [[nodiscard]] Json anyTest();
     void checkSheet(Json &report);
     void measureAxis(Json &test);
     void measurePaths(Json &test);
@@ -59,6 +64,14 @@ private:
     [[nodiscard]] const auto &anyOf(const List &list) {
         return list[static_cast<std::size_t>(below(static_cast<int>(list.size())))];
     }
+
+    /// Makes the measurements of a kind; the shares in all tests add up to 1.
+    struct Maker {
+        std::string_view kind;
+        double share = 0;
+        Json (Generator::*make)() = nullptr;
+    };
+    static const std::array<Maker, 3> makers;
 
     Json m_schema;
     std::mt19937_64 m_random;

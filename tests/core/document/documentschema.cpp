@@ -13,6 +13,7 @@
 #include <QTemporaryFile>
 #include <QTest>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
@@ -304,6 +305,30 @@ private slots:
                 QVERIFY2((version < 3 && inVersion3.contains(message)) ||
                              said.contains(QString::fromUtf8(words)),
                          message.c_str());
+        }
+    }
+
+    // A kind that is forgotten here would be tested by nothing below.
+    void everyKindHasWordBranchDefinitionAndTest() {
+        const Schema schema(static_cast<int>(fileVersion));
+        const QJsonObject items = schema.root()[u"properties"][u"tests"][u"items"].toObject();
+        const QJsonArray words = items[u"properties"][u"kind"][u"enum"].toArray();
+        const Document complete = readDocument(completeFileOf(static_cast<int>(fileVersion)));
+        QCOMPARE(std::size_t(words.size()), allKinds.size());
+        for (const Kind kind : allKinds) {
+            const QString word = QString::fromUtf8(fileWord(kind));
+            const QString name = word + QStringLiteral("Test");
+            QVERIFY2(words.contains(word), qPrintable(word));
+            QVERIFY2(!schema.definition(name.toLatin1()).isEmpty(), qPrintable(name));
+            QVERIFY2(std::ranges::any_of(items[u"allOf"].toArray(),
+                                         [&](const QJsonValue &branch) {
+                                             return branch[u"if"][u"properties"][u"kind"][u"const"] == word &&
+                                                    branch[u"then"][u"$ref"].toString().endsWith(name);
+                                         }),
+                     qPrintable(word));
+            QVERIFY2(std::ranges::any_of(complete.tests,
+                                         [&](const TestPointer &test) { return kindOf(*test) == kind; }),
+                     qPrintable(word));
         }
     }
 
