@@ -355,6 +355,24 @@ private slots:
         QVERIFY(throws("report.paper", "A5"));
     }
 
+    void aChannelOfADriftTestHasItsOwnUnit() {
+        DriftMeasurement drift;
+        drift.times = {0};
+        drift.channels = {{"X", ChannelQuantity::deviation, {0.001}},
+                          {"C", ChannelQuantity::angularDeviation, {0.001}}};
+        Test test;
+        test.id = "d";
+        test.measurement = drift;
+        Document document;
+        document.tests.push_back(std::make_shared<const Test>(std::move(test)));
+        document = withField(document, "tests[0].channels[0].values[0]", "5um");
+        document = withField(document, "channels[1].values[0]", "3600arcsec");
+        const auto &set = std::get<DriftMeasurement>(document.tests[0]->measurement);
+        QCOMPARE(set.channels[0].values[0], std::optional(0.005));
+        QCOMPARE(set.channels[1].values[0], std::optional(1.0));
+        QVERIFY_THROWS_EXCEPTION(Error, (void)withField(document, "channels[0].values[0]", "5"));
+    }
+
 private:
     static bool throws(const char *path, const char *value) {
         try {
