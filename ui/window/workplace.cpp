@@ -53,6 +53,7 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <span>
 
 namespace palmer::ui {
 
@@ -81,25 +82,39 @@ constexpr int turnsBelow = 690 - 99;
 constexpr int lowTabsBelow = 400;
 constexpr QSize least(NavigationList::railWidth + 1 + centreWidth, 280); ///< with the page as a tab
 
-/// A tab, and the kinds of tests that have it, in the order of Kind.
+/// A tab and its text.
 struct TestPage {
     Page page;
-    std::array<bool, allKinds.size()> kinds;
+    const char *text = nullptr;
 };
 constexpr std::array testPages{
-    TestPage{Page::readings, {true, true, true}}, TestPage{Page::conditions, {true, true}},
-    TestPage{Page::agreedPoints, {true, true}},   TestPage{Page::limits, {true, true}},
-    TestPage{Page::uncertainty, {true, true}},    TestPage{Page::comparison, {true, true}},
-    TestPage{Page::diagnosis, {false, true}},     TestPage{Page::thermal, {false, false, true}}};
+    TestPage{Page::readings, QT_TRANSLATE_NOOP("palmer::ui::Workplace", "&Readings")},
+    TestPage{Page::conditions, QT_TRANSLATE_NOOP("palmer::ui::Workplace", "&Conditions")},
+    TestPage{Page::agreedPoints, QT_TRANSLATE_NOOP("palmer::ui::Workplace", "&Agreed points")},
+    TestPage{Page::limits, QT_TRANSLATE_NOOP("palmer::ui::Workplace", "&Limits")},
+    TestPage{Page::uncertainty, QT_TRANSLATE_NOOP("palmer::ui::Workplace", "U&ncertainty")},
+    TestPage{Page::comparison, QT_TRANSLATE_NOOP("palmer::ui::Workplace", "C&omparison")},
+    TestPage{Page::diagnosis, QT_TRANSLATE_NOOP("palmer::ui::Workplace", "Dia&gnosis")},
+    TestPage{Page::thermal, QT_TRANSLATE_NOOP("palmer::ui::Workplace", "Thermal &behaviour")}};
 
 /// How the tests of a kind are shown.
 struct KindView {
-    const char *sizes = nullptr; ///< settings key of the widths they share
-    int more = 0;                ///< px by which their page is wider, as their results need less
+    const char *sizes = nullptr;    ///< settings key of the widths they share
+    std::span<const Page> ownPages; ///< besides the readings and, of judged kinds, those of all of them
+    int more = 0;                   ///< px by which their page is wider, as their results need less
 };
+constexpr std::array judgedPages{Page::conditions, Page::agreedPoints, Page::limits, Page::uncertainty,
+                                 Page::comparison};
+constexpr std::array circlePages{Page::diagnosis};
+constexpr std::array driftPages{Page::thermal};
 /// In the order of Kind.
-constexpr std::array kindViews{KindView{"positioning"}, KindView{"circular", 28}, KindView{"positioning"}};
+constexpr std::array kindViews{KindView{"positioning", {}}, KindView{"circular", circlePages, 28},
+                               KindView{"positioning", driftPages}};
 static_assert(kindViews.size() == allKinds.size());
+
+const KindView &viewOf(Kind kind) {
+    return kindViews.at(static_cast<std::size_t>(kind));
+}
 
 /// Widget of a pane for the keyboard: its table, otherwise a widget that is not a button, otherwise its
 /// first.
@@ -252,10 +267,11 @@ void Workplace::makePages(QWidget *centre) {
     m_circles->setProperty("ground", QStringLiteral("base"));
     m_circlesPlace->setWidget(m_circles);
     m_circlesPlace->setFocusProxy(m_circles);
-    m_readingPages->addWidget(m_readings); // in the order of Kind
     m_drift = new DriftPage(m_model, m_selection, m_readingPages);
-    m_readingPages->addWidget(m_circlesPlace);
-    m_readingPages->addWidget(m_drift);
+    // in the order of Kind
+    for (QWidget *page : std::initializer_list<QWidget *>{m_readings, m_circlesPlace, m_drift})
+        m_readingPages->addWidget(page);
+    Q_ASSERT(m_readingPages->count() == int(allKinds.size()));
     m_conditions = new ConditionsPage(m_model, m_selection, m_pages);
     m_agreedPoints = new AgreedPointsPage(m_model, m_selection, m_pages);
     m_limits = new LimitsPage(m_model, m_selection, m_pages);
@@ -840,8 +856,7 @@ void Workplace::beginTyping() {
     showPage(Page::readings);
     if (const auto *measurement = measured<PositioningMeasurement>(m_evaluated, test))
         m_selection.setReading(firstMissing(*measurement));
-    const std::array<QWidget *, allKinds.size()> pages{m_readings, m_circles, m_drift};
-    pages.at(static_cast<std::size_t>(kind()))->setFocus();
+    m_readingPages->currentWidget()->setFocus();
 }
 
 void Workplace::setFigureMaximised(bool maximised) {
@@ -880,7 +895,7 @@ void Workplace::arrange() {
     const bool rail = width() < railBelow;
     const bool stacked = wantsStack();
     const bool narrow = width() < stackedBelow && !stacked;
-    const int more = kindViews.at(static_cast<std::size_t>(kind())).more;
+    const int more = viewOf(kind()).more;
     m_centre->setMinimumWidth(narrow ? narrowCentreWidth + more : centreWidth);
     m_right->setMinimumWidth(stacked ? 0 : narrow ? narrowRightWidth - more : leastRightWidth);
     if (rail != m_navigation->isRail() || m_side->maximumWidth() > NavigationList::fullWidth * 2) {
@@ -925,16 +940,19 @@ Kind Workplace::kind() const {
 }
 
 bool Workplace::hasPage(Page page) const {
-    const int tab = tabOf(page); // a page of the report belongs to all
-    return tab < 0 || testPages.at(static_cast<std::size_t>(tab)).kinds.at(static_cast<std::size_t>(kind()));
+    const auto isOneOf = [page](std::span<const Page> pages) {
+        return std::ranges::find(pages, page) != pages.end();
+    };
+    if (tabOf(page) < 0 || page == Page::readings) // a page of the report belongs to all
+        return true;
+    return isOneOf(viewOf(kind()).ownPages) || (traitsOf(kind()).isJudged && isOneOf(judgedPages));
 }
 
 QString Workplace::sizesKey() const {
     return QStringLiteral("sizes/%1%2")
-        .arg(QLatin1StringView(kindViews.at(static_cast<std::size_t>(kind())).sizes),
-             m_right->isTabbed()   ? QStringLiteral("-stacked")
-             : width() >= wideFrom ? QStringLiteral("-wide")
-                                   : QString());
+        .arg(QLatin1StringView(viewOf(kind()).sizes), m_right->isTabbed()   ? QStringLiteral("-stacked")
+                                                      : width() >= wideFrom ? QStringLiteral("-wide")
+                                                                            : QString());
 }
 
 void Workplace::restoreSizes() {
@@ -975,8 +993,7 @@ void Workplace::restoreNavigation() {
 }
 
 QString Workplace::navigationKey() const {
-    return QStringLiteral("sizes/navigation-") +
-           QLatin1StringView(kindViews.at(static_cast<std::size_t>(kind())).sizes);
+    return QStringLiteral("sizes/navigation-") + QLatin1StringView(viewOf(kind()).sizes);
 }
 
 void Workplace::keepSizes() const {
@@ -992,14 +1009,8 @@ void Workplace::retranslate() {
     m_addTest->setText(tr("Test"));
     nameWidget(*m_addTest, tr("Add a test"));
     m_tabs->setAccessibleName(tr("Pages of the test"));
-    m_tabs->setTabText(0, tr("&Readings"));
-    m_tabs->setTabText(1, tr("&Conditions"));
-    m_tabs->setTabText(2, tr("&Agreed points"));
-    m_tabs->setTabText(3, tr("&Limits"));
-    m_tabs->setTabText(4, tr("U&ncertainty"));
-    m_tabs->setTabText(5, tr("C&omparison"));
-    m_tabs->setTabText(6, tr("Dia&gnosis"));
-    m_tabs->setTabText(7, tr("Thermal &behaviour"));
+    for (std::size_t i = 0; i < testPages.size(); ++i)
+        m_tabs->setTabText(static_cast<int>(i), tr(testPages.at(i).text));
     const Language &language = windowLanguage();
     m_readings->setLanguage(language);
     m_circles->setLanguage(language);
