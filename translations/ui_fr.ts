@@ -3003,10 +3003,6 @@
         <translation>Expor&amp;ter</translation>
     </message>
     <message>
-        <source>“%1”</source>
-        <translation>«&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
         <source>Typed and shown in red, but never taken: %1. It is not saved.</source>
         <translation>Saisi et affiché en rouge, mais jamais pris en compte&#xa0;: %1. Cela n’est pas enregistré.</translation>
     </message>

@@ -163,7 +163,8 @@ void ImportExportTest::refusesUntilQuestionsAreAnswered() {
 }
 
 void ImportExportTest::saysWhatItTookAndWhatAnswers() {
-    const QByteArray table = "target (mm),dir,run,deviation (um)\n0,1,1,1\n100,1,1,2\n100,0,1,3\n0,0,1,2\n";
+    const QByteArray table =
+        "target (mm),dir,run,deviation (um)\n0,1,1,1\n100,1,1,2\n0,0,1,2\n100,0,1,3\n"; // both ascend
     const QStringList import{"import", "-", "-o", at("e.palmer"), "--json"};
     const Result result = run(import, table);
     const QJsonValue file = QJsonDocument::fromJson(result.out.toUtf8())["files"][0];

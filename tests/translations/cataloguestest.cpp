@@ -69,14 +69,16 @@ QString catalogue(const char *name) {
 }
 
 /// Words that are the same in both languages.
-const QSet<QString> sameInBoth{
-    "Contribution", "Positions",   "Date",         "Machine",      "Signature", "Signatures",   "Verdict",
-    "Instrument",   "Instruments", "Position",     "minimum",      "maximum",   "note",         "Air",
-    "Cycle",        "Point",       "page %1 / %2", "Centre",       "Centre %1", "Source",       "Centre, F",
-    "Compensation", "Points",      "Angles",       "Correction C", "positions", "rad",          "mrad",
-    "µrad",         "mdeg",        "gon",          "µin",          "min",       "Format",       "Arc (°)",
-    "air",          "machine",     "point .",      "Page",         "Type",      "Verdicts",     "Angle",
-    "Sources",      "source 1",    "amplitude",    "compensation", "collision", "intervention", "Machines"};
+const QSet<QString> sameInBoth{"Contribution", "Positions",    "Date",       "Machine",      "Signature",
+                               "Signatures",   "Verdict",      "Instrument", "Instruments",  "Position",
+                               "minimum",      "maximum",      "note",       "Air",          "Cycle",
+                               "Point",        "page %1 / %2", "Centre",     "Centre %1",    "Source",
+                               "Centre, F",    "Compensation", "Points",     "Angles",       "Correction C",
+                               "positions",    "rad",          "mrad",       "µrad",         "mdeg",
+                               "gon",          "µin",          "min",        "Format",       "Arc (°)",
+                               "air",          "machine",      "point .",    "Page",         "Type",
+                               "Verdicts",     "Angle",        "Sources",    "source 1",     "Budget (GUM)",
+                               "amplitude",    "compensation", "collision",  "intervention", "Machines"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {
