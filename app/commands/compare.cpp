@@ -122,8 +122,8 @@ int runCompare(const Invocation &invocation) {
         options.role = ComparisonRole::laboratories;
     options.setUpUntouched = options.setUpUntouched || invocation.has("set-up-untouched");
     if (const auto given = invocation.value("tolerance"))
-        options.tolerance = numberAbove("tolerance", *given, 0) /
-                            unitScale(deviationQuantity(after.test()), DisplayUnits());
+        options.tolerance =
+            numberAbove("tolerance", *given, 0) / unitScale(deviationQuantity(after.test()), DisplayUnits());
     const TestComparison comparison = compare(before, after, options);
     if (invocation.has("json"))
         printOut(comparisonJson(comparison, before, earlier, after, later, options, namesLanguage(invocation),

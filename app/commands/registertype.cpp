@@ -93,9 +93,10 @@ QString typeAsked(const Invocation &invocation, const std::vector<ListedMachine>
                                    "with --type"),
              {}});
     if (all.front().model.isEmpty())
-        throw UsageError({REPORT_TEXT("report", "the files do not state the model of the machines; choose the "
-                                                "type with --type"),
-                          {}});
+        throw UsageError(
+            {REPORT_TEXT("report", "the files do not state the model of the machines; choose the "
+                                   "type with --type"),
+             {}});
     return all.front().manufacturer + u' ' + all.front().model;
 }
 

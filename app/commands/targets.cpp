@@ -153,7 +153,8 @@ TargetRequest request(const Invocation &invocation, const Begun &begun, double a
 }
 
 /// The zone lies on the axis: within the measurement travel and the approach distance before and behind it.
-std::optional<Interval> zoneAsked(const Invocation &invocation, const TargetRequest &request, double approach) {
+std::optional<Interval> zoneAsked(const Invocation &invocation, const TargetRequest &request,
+                                  double approach) {
     const auto zone = interval(invocation, "zone");
     constexpr double rounding = 1e-9;
     const Interval axis{request.from - approach, request.from + request.travel + approach};

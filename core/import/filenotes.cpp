@@ -328,7 +328,7 @@ bool takeDay(const QString &line, bool isLabelled, FileNotes &notes, bool &under
     return isTaken;
 }
 
-/// What a text says without a label that is known: "Positioning test, X axis, F 1000 mm/min, ISO 230-2:2014".
+/// Reads a text without a label that is known: "Positioning test, X axis, F 1000 mm/min, ISO 230-2:2014".
 bool readWords(const LabelledValue &said, FileNotes &notes) {
     const QString line = QString::fromStdString(said.text);
     bool understood = false;
