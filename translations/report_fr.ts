@@ -5480,6 +5480,10 @@
         <translation>Plan&#xa0;: le fichier indique %1 et les axes %2&#x202f;; %2 est retenu.</translation>
     </message>
     <message>
+        <source>Statements that were read: %1 (%2).</source>
+        <translation>Indications lues&#xa0;: %1 (%2).</translation>
+    </message>
+    <message>
         <source>The date %1 is not one that is known; it stays as text in the remarks.</source>
         <translation>La date %1 n’est pas une date connue&#x202f;; elle reste sous forme de texte dans les remarques.</translation>
     </message>

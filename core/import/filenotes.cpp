@@ -140,16 +140,19 @@ public:
     explicit NoteReader(FileNotes &notes)
         : m(notes) {}
 
-    /// Takes the labelled facts of a line; returns what is left.
-    std::vector<LabelledValue> read(const std::vector<LabelledValue> &line) {
+    /// Takes the labelled facts of a line, by its number; returns what is left.
+    std::vector<LabelledValue> read(const std::vector<LabelledValue> &line, std::size_t number) {
         std::vector<LabelledValue> rest;
         for (const LabelledValue &said : line) {
             noteInstrument(said);
             m_more.clear();
             const auto fact = said.label.empty() || said.values.empty() ? std::nullopt : factOf(said.label);
-            if (!fact || !take(*fact, said))
+            if (!fact || !take(*fact, said)) {
                 rest.push_back(said);
-            else if (!m_more.empty())
+                continue;
+            }
+            m.used.add(number, said.text);
+            if (!m_more.empty())
                 rest.push_back({{}, {m_more}, m_more});
         }
         return rest;
@@ -397,10 +400,15 @@ bool isTitle(std::string_view text) {
 }
 
 /// Takes what a line says; returns the text of what is left.
-std::string readLine(const std::vector<LabelledValue> &line, NoteReader &reader, FileNotes &notes) {
-    std::vector<LabelledValue> rest = reader.read(line);
+std::string readLine(const std::vector<LabelledValue> &line, std::size_t number, NoteReader &reader,
+                     FileNotes &notes) {
+    std::vector<LabelledValue> rest = reader.read(line, number);
     std::erase_if(rest, [&](const LabelledValue &said) {
-        return readWords(said, notes) || readForm(said.text, notes) || isTitle(said.text);
+        if (readWords(said, notes)) {
+            notes.used.add(number, said.text);
+            return true;
+        }
+        return readForm(said.text, notes) || isTitle(said.text);
     });
     return textOf(rest);
 }
@@ -422,7 +430,7 @@ bool isLabelledValue(const CellTable &table, const TableRow &row) {
         return true;
     FileNotes notes;
     const std::vector<LabelledValue> said = labelledValuesIn(table, row);
-    const std::vector<LabelledValue> rest = NoteReader(notes).read(said);
+    const std::vector<LabelledValue> rest = NoteReader(notes).read(said, row.line);
     return textOf(rest) != textOf(said) ||
            std::ranges::any_of(rest, [&](const LabelledValue &one) { return readWords(one, notes); });
 }
@@ -463,7 +471,7 @@ std::vector<NoteLine> noteLines(const CellTable &table, const TableBody &body) {
         FileNotes own;
         std::vector<LabelledValue> said = labelledValuesIn(table, row);
         NoteReader reader(own);
-        readLine(said, reader, own);
+        readLine(said, row.line, reader, own);
         lines.push_back({&row, block, std::move(said), own.axis});
     }
     return lines;
@@ -505,7 +513,7 @@ FileNotes notesOf(const CellTable &table, const TableBody &body, std::string_vie
     for (const NoteLine &line : lines) {
         if (notes.days.empty())
             notes.days = daysIn(table, *line.row);
-        if (const std::string rest = readLine(line.said, reader, notes); !rest.empty())
+        if (const std::string rest = readLine(line.said, line.row->line, reader, notes); !rest.empty())
             notes.unused.add(line.row->line, rest);
     }
     for (const NoteLine &line : others)
@@ -520,7 +528,8 @@ FileNotes notesOf(const CellTable &sheet) {
         body.notes.push_back(static_cast<std::uint32_t>(i));
     NoteReader reader(notes);
     for (const NoteLine &line : noteLines(sheet, body))
-        reader.read(line.said);
+        reader.read(line.said, line.row->line);
+    notes.used = {}; // named by their sheet
     return notes;
 }
 

@@ -35,7 +35,8 @@ struct FileNotes {
     std::optional<double> airPressure; ///< hPa
     std::optional<double> airHumidity; ///< %, relative
     std::vector<Sensor> sensors;       ///< named temperatures
-    UnusedLines unused;
+    QuotedLines used;
+    QuotedLines unused;
 
     /// True if there is no statement of the machine, the operator, the day or the surroundings.
     [[nodiscard]] bool saysNothing() const {

@@ -7,7 +7,7 @@
 
 namespace palmer {
 
-void UnusedLines::add(std::size_t line, std::string_view text) {
+void QuotedLines::add(std::size_t line, std::string_view text) {
     constexpr std::size_t mostQuoted = 5;
     constexpr std::size_t longest = 40; // bytes, shortened to whole characters
     if (++m_count > mostQuoted + 1)
@@ -28,7 +28,13 @@ void UnusedLines::add(std::size_t line, std::string_view text) {
     m_quoted += std::to_string(line) + ": " + quoted;
 }
 
-void UnusedLines::remark(Remarks &remarks) const {
+void QuotedLines::remarkUsed(Remarks &remarks) const {
+    if (m_count > 0)
+        remarks.note({}, REPORT_TEXT("report", "Statements that were read: %1 (%2)."), counted(m_count),
+                     m_quoted);
+}
+
+void QuotedLines::remarkUnused(Remarks &remarks) const {
     if (m_count > 0)
         remarks.note({}, REPORT_TEXT("report", "Lines of text that were not used: %1 (%2)."),
                      counted(m_count), m_quoted);

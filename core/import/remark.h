@@ -74,11 +74,13 @@ public:
 };
 
 /// Counts unused lines of text and quotes the first ones.
-class UnusedLines {
+class QuotedLines {
 public:
     void add(std::size_t line, std::string_view text);
-    /// Adds a note if there are any.
-    void remark(Remarks &remarks) const;
+    /// Adds a note that they were read, if there are any.
+    void remarkUsed(Remarks &remarks) const;
+    /// Adds a note that they were not used, if there are any.
+    void remarkUnused(Remarks &remarks) const;
 
 private:
     std::size_t m_count = 0;

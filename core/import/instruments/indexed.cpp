@@ -98,7 +98,7 @@ public:
 
 private:
     void collect() {
-        UnusedLines unused;
+        QuotedLines unused;
         for (const auto &[whole, number] : linesOf(m.text)) {
             const std::string_view line = withoutBlanks(whole);
             if (line.empty() || line.front() == ';' || line.front() == '#' || line.starts_with("//") ||
@@ -118,7 +118,7 @@ private:
             m.remarks.problem(
                 {}, REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
                 counted(*m_positions), counted(m_targets.size()));
-        unused.remark(m.remarks);
+        unused.remarkUnused(m.remarks);
     }
 
     /// True for a damaged target or reading: such a name, or a number with two indexes.

@@ -83,7 +83,7 @@ Pass readTable(Imported &imported, Header &header) {
     Pass pass;
     double lastNo = 0;
     bool follows = false; // a line that was read
-    UnusedLines unused;
+    QuotedLines unused;
     for (const auto &[whole, number] : linesOf(imported.text)) {
         const std::string_view line = withoutBlanks(whole);
         if (line.empty())
@@ -110,7 +110,7 @@ Pass readTable(Imported &imported, Header &header) {
         follows = true;
         pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
     }
-    unused.remark(imported.remarks);
+    unused.remarkUnused(imported.remarks);
     return pass;
 }
 

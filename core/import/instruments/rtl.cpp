@@ -357,7 +357,7 @@ private:
         constexpr std::string_view used =
             "|machine|serial no|date|by|axis|location|title|air temp|air press|air humid|"
             "mat temp 1|mat temp 2|mat temp 3|exp coeff|";
-        UnusedLines unused;
+        QuotedLines unused;
         for (const std::string_view name : {"USER-TEXT", "EQUIPMENT", "ENVIRONMENT"}) {
             const Section *section = findSection(m_sections, name);
             std::set<std::string> seen; // the first value of each is the one read
@@ -371,7 +371,7 @@ private:
                     unused.add(line.line, std::string(line.key) + ": " + std::string(line.value));
             }
         }
-        unused.remark(m.remarks);
+        unused.remarkUnused(m.remarks);
     }
 
     void remarkIgnored() {

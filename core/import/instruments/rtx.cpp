@@ -126,12 +126,12 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     remarkEnd(samples.substr(sampling.count * sizeof(double)), sampling, imported.remarks);
     imported.remarks.note({}, REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
                           counted(sampling.count), Number{drift.times.back(), Quantity::time});
-    UnusedLines unused;
+    QuotedLines unused;
     for (const SectionLine &line : header->lines) {
         if (std::ranges::none_of(knownKeys, [&](std::string_view key) { return sameWord(line.key, key); }))
             unused.add(line.line, line.key);
     }
-    unused.remark(imported.remarks);
+    unused.remarkUnused(imported.remarks);
     Test test;
     const std::string date = text("Date");
     takeDate(isoDate(date), date, test, imported.remarks);

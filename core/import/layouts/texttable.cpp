@@ -307,7 +307,8 @@ void takeNotes(const FileNotes &notes, Imported &imported) {
                 conditions.feed = notes.feed;
         }
     }
-    notes.unused.remark(imported.remarks);
+    notes.used.remarkUsed(imported.remarks);
+    notes.unused.remarkUnused(imported.remarks);
 }
 
 namespace {

@@ -171,6 +171,8 @@ private slots:
         QVERIFY2(imported.test, qPrintable(QString::fromUtf8(text) + remarksOf(imported)));
         QCOMPARE(withoutPositions(factsOf(imported)), expected);
         QVERIFY2(!remarksOf(imported).contains("not used"), qPrintable(remarksOf(imported)));
+        QVERIFY2(remarksOf(imported).contains("Statements that were read: 10"),
+                 qPrintable(remarksOf(imported)));
         QCOMPARE(readingsOf(*imported.test), std::size_t(6));
     }
 
