@@ -494,12 +494,11 @@ std::vector<NoteLine> linesOfOtherAxes(std::vector<NoteLine> &lines, std::string
     };
     const auto named = std::ranges::find_if(lines, [](const NoteLine &line) { return !line.axis.empty(); });
     const TableRow *firstNamed = named->row;
-    const auto rest = std::ranges::stable_partition(lines, isOfWanted);
-    const auto others = std::ranges::stable_partition(
-        rest, [&](const NoteLine &line) { return line.row->line < firstNamed->line; });
-    std::vector<NoteLine> moved(std::make_move_iterator(others.begin()),
-                                std::make_move_iterator(others.end()));
-    lines.erase(others.begin(), lines.end());
+    const auto rest = std::stable_partition(lines.begin(), lines.end(), isOfWanted);
+    const auto others = std::stable_partition(
+        rest, lines.end(), [&](const NoteLine &line) { return line.row->line < firstNamed->line; });
+    std::vector<NoteLine> moved(std::make_move_iterator(others), std::make_move_iterator(lines.end()));
+    lines.erase(others, lines.end());
     return moved;
 }
 

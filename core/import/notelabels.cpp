@@ -4,6 +4,7 @@
 
 #include "kernel/words/characters.h"
 #include "tables/folded.h"
+#include "tables/numbercell.h"
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/conditioncolumns.h"
 
+#include "document/place.h"
 #include "import/notelabels.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"

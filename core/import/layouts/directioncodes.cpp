@@ -52,6 +52,13 @@ std::map<double, Order> ordersOf(const std::vector<CodedTarget> &lines) {
     return orders;
 }
 
+/// True if the targets rise under one code and fall under the other, which may have none that say.
+bool areOpposite(const Order &low, const Order &high) {
+    const bool isEither = low.isKnown() || high.isKnown();
+    return isEither && (low.isKnown() || low.isEmpty()) && (high.isKnown() || high.isEmpty()) &&
+           low.direction() != high.direction();
+}
+
 } // namespace
 
 DirectionCodes directionCodes(const std::vector<CodedTarget> &lines) {
@@ -71,10 +78,7 @@ DirectionCodes directionCodes(const std::vector<CodedTarget> &lines) {
     }
     const auto &[first, low] = *orders.begin();
     const auto &[last, high] = *orders.rbegin();
-    const bool isEither = low.isKnown() || high.isKnown();
-    const bool areOpposite = isEither && (low.isKnown() || low.isEmpty()) &&
-                             (high.isKnown() || high.isEmpty()) && low.direction() != high.direction();
-    const bool isOrdered = orders.size() == 2 && areOpposite;
+    const bool isOrdered = orders.size() == 2 && areOpposite(low, high);
     const bool lowRises = low.direction() == Direction::positive || high.direction() == Direction::negative;
     if (hasSigns) { // known, unless every pass contradicts them
         result.origin =
