@@ -3,7 +3,7 @@
 #include "document/documenterror.h"
 #include "document/json.h"
 #include "document/place.h"
-#include "document/readingpaths.h"
+#include "document/readinglists.h"
 #include "kernel/words/characters.h"
 
 #include <nlohmann/json.hpp>

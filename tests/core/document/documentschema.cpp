@@ -4,6 +4,7 @@
 #include "document/edits.h"
 #include "document/filewords.h"
 #include "document/readdocument.h"
+#include "document/readinglists.h"
 #include "document/writedocument.h"
 
 #include <QJsonArray>
@@ -298,6 +299,13 @@ class DocumentSchemaTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Each counts towards the limit on readings while the file is parsed.
+    void namesTheListsOfReadings() {
+        for (const char *key : {"deviations", "radialDeviations", "values"})
+            QVERIFY2(palmer::isListOfReadings(key), key);
+        for (const char *key : {"times", "temperatures", "targets", "value", "runs"})
+            QVERIFY2(!palmer::isListOfReadings(key), key);
+    }
     void saysWhatItCannotExpress() {
         for (const int version : {1, 2, 3}) {
             const QString said = Schema(version).root().value(QStringLiteral("description")).toString();
