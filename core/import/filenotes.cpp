@@ -147,6 +147,8 @@ public:
             noteInstrument(said);
             m_more.clear();
             const auto fact = said.label.empty() || said.values.empty() ? std::nullopt : factOf(said.label);
+            if (fact && said.values.size() == 1 && saysNothing(said.values.front()))
+                continue;
             if (!fact || !take(*fact, said)) {
                 rest.push_back(said);
                 continue;
@@ -165,8 +167,6 @@ private:
     }
 
     bool take(NoteFact fact, const LabelledValue &said) {
-        if (said.values.size() == 1 && saysNothing(said.values.front()))
-            return true;
         switch (fact) {
         case NoteFact::machine:
             return takeText(m.machine, said);

@@ -243,6 +243,7 @@ private slots:
         for (const char *none : {"n/a", "-", "---", "–", "unknown"}) {
             QCOMPARE(read(QByteArray("Machine: ") + none).machine.name, "");
             QCOMPARE(read(QByteArray("Operator;") + none).operatorName, "");
+            QVERIFY(!remarksOf(read(QByteArray("Operator;") + none)).contains("Operator"));
         }
         const Imported two = read("Machine: A\nMachine: B");
         QCOMPARE(two.machine.name, "A");
