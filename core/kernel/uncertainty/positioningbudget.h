@@ -11,15 +11,16 @@
 
 namespace palmer {
 
-/// U/R of a quantity of which only the full width R of its range is known: 2/√12 = 0.577, rounded to 0.6 by
-/// ISO 230-2:2006 Annex A.
+/// U/R of a quantity of which only the full width R of its range is known: 2/√12 = 0.577, rounded to 0.6 as
+/// in public drafts of ISO 230-2:2006 Annex A.
 inline constexpr double rectangularFactor = 0.6;
 
 /// Suggested R(α) of a machine, µm/(m·°C): it gives the 2 µm/(m·°C) that the standard calls the typical
 /// minimum of U(α).
 inline constexpr double typicalExpansionRange = 3.4;
 
-/// The contributions to the uncertainty of a positioning test, after the model of ISO 230-2:2006 Annex A.
+/// The contributions to the uncertainty of a positioning test, as public drafts of ISO 230-2:2006 Annex A
+/// name them.
 struct PositioningBudget {
     std::vector<Contribution> contributions;
     std::optional<double> length; ///< L, mm (rotary: the measurement travel in degrees, unused)
