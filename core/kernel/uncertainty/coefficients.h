@@ -27,8 +27,8 @@ struct Rulers {
     bool sameTarget = false;
 };
 
-/// How the contributions combine to the U of a parameter of ISO 230-2 (propagation after the GUM; the annex of
-/// the standard was not read):
+/// How the contributions combine to the U of a parameter of ISO 230-2 (propagation after the GUM; the annex
+/// of the standard was not read):
 ///     U² = (systematic ? S² : 0) + ofEnvironment·U_EVE²,
 /// S² is the sum of the squares of all contributions except environmental variation. Derived: a mean of n
 /// readings has 1/√n of the uncertainty of one, s has 1/√(n − 1), both are uncorrelated, and each uses the n
