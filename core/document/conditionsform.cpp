@@ -57,6 +57,10 @@ bool rotary(const Test &test) {
     return ofAxis(test) && motionOf(test) == Motion::rotary;
 }
 
+bool withAnother(const Test &) {
+    return false;
+}
+
 // clang-format off
 const std::array rows{
     FormRow{REPORT_TEXT("report", "Test"), {"title", "", 5, REPORT_TEXT("report", "Title of the test")}, Standing::asked},
@@ -92,6 +96,7 @@ const std::array rows{
     FormRow{{}, {"targetChoice", "period", 4, REPORT_TEXT("report", "Period of the error")}, Standing::asked, chosenFreely},
     FormRow{{}, {"faces", "", 4, REPORT_TEXT("report", "Faces of the polygon, number")}, Standing::asked, polygon},
     FormRow{REPORT_TEXT("report", "Temperatures"), {"sensors", "", 12}, Standing::asked},
+    FormRow{{}, {"expansion", "", 12}, Standing::asked, withAnother}, // in the table of the sensors
     FormRow{REPORT_TEXT("report", "Air"), {"correctionTo20", "", 5}, Standing::asked},
     FormRow{{}, {"gradientPerHour", "", 4}},
     FormRow{{}, {"gradientHoursBefore", "", 3, REPORT_TEXT("report", "Hours before")}},
@@ -166,11 +171,11 @@ ConditionsForm conditionsForm(const Test &test, const TestEvaluation &evaluation
         });
     };
     Text group;
-    for (const FormRow &row : rows) {
+    const auto place = [&](const FormRow &row) {
         if (!row.group.empty())
             group = row.group;
         if (!isOffered(row, test, conditions))
-            continue;
+            return;
         const auto by = std::ranges::find(asked, row.cell.key, &AskedStatement::key);
         const bool isAsked = by != asked.end() && (!by->usual || onlyUsual);
         const bool isUsual = by != asked.end() && !isAsked;
@@ -178,6 +183,11 @@ ConditionsForm conditionsForm(const Test &test, const TestEvaluation &evaluation
             add(form.asked, group, row.cell, isAsked && isMissing(row.cell.key));
         else
             add(row.place == Standing::usual || isUsual ? form.usual : form.other, group, row.cell, false);
+    };
+    std::ranges::for_each(rows, place);
+    for (const std::string_view key : conditions) {
+        if (std::ranges::none_of(rows, [key](const FormRow &row) { return row.cell.key == key; }))
+            place({REPORT_TEXT("report", "Further conditions"), {key, "", 6}});
     }
     return form;
 }
