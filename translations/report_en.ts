@@ -74,6 +74,14 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n not declared</source>
+        <comment>departures from practice</comment>
+        <translation>
+            <numerusform>%n not declared</numerusform>
+            <numerusform>%n not declared</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n departure(s) from practice</source>
         <translation>
             <numerusform>%n departure from practice</numerusform>

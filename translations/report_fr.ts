@@ -3721,8 +3721,8 @@
         <translation>plus grand que tout nombre</translation>
     </message>
     <message>
-        <source>not two numbers, from … to</source>
-        <translation>pas deux nombres, de … à</translation>
+        <source>two numbers are asked for, such as −10 … 1590</source>
+        <translation>deux nombres attendus, p. ex. −10 … 1590</translation>
     </message>
     <message>
         <source>the first number is not the smaller one</source>
@@ -4444,7 +4444,7 @@
     </message>
     <message>
         <source>“Compare…” sets editions side by side with the reason of each difference, and tests over one another: as found and as left.</source>
-        <translation>«&#xa0;Comparer…&#xa0;» met les éditions côte à côte avec la raison de chaque différence, et superpose des essais&#xa0;: état initial et après réglage.</translation>
+        <translation>«&#xa0;Comparer…&#xa0;» met les éditions côte à côte avec la raison de chaque différence, et superpose des essais&#xa0;: avant et après réglage.</translation>
     </message>
     <message>
         <source>Decide</source>
@@ -6314,6 +6314,14 @@
         <translation>
             <numerusform>%n non déclarée</numerusform>
             <numerusform>%n non déclarées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not declared</source>
+        <comment>departures from practice</comment>
+        <translation>
+            <numerusform>%n non déclaré</numerusform>
+            <numerusform>%n non déclarés</numerusform>
         </translation>
     </message>
     <message>
@@ -10323,7 +10331,7 @@
     </message>
     <message>
         <source>As found and as left, before and after, two machines, two laboratories: two tests of one axis or plane are compared at their common targets, with as many cycles as both have. Everything else that differs is listed above the result. It is an interpretation, no result of the standard.</source>
-        <translation>État initial et état final, avant et après, deux machines, deux laboratoires&#xa0;: deux essais d’un axe ou d’un plan sont comparés à leurs points visés communs, avec autant de cycles qu’en ont les deux. Tout ce qui diffère par ailleurs est énuméré au-dessus du résultat. C’est une interprétation, non un résultat de la norme.</translation>
+        <translation>Avant et après réglage, deux machines, deux laboratoires&#xa0;: deux essais d’un axe ou d’un plan sont comparés à leurs points visés communs, avec autant de cycles qu’en ont les deux. Tout ce qui diffère par ailleurs est énuméré au-dessus du résultat. C’est une interprétation, non un résultat de la norme.</translation>
     </message>
     <message>
         <source>U of the difference</source>
@@ -10751,7 +10759,7 @@
     </message>
     <message>
         <source>A trend is shown where the slope is at least t times its standard uncertainty (95 %). Not before: line + t·u reaches the limit, one-sided 95 %, for the level, not for the next test.</source>
-        <translation>Une tendance est indiquée si la pente atteint au moins t fois son incertitude-type (95&#xa0;%). Pas avant&#xa0;: la droite + t·u atteint la limite, borne unilatérale à 95&#xa0;%, pour le niveau, non pour le prochain essai.</translation>
+        <translation>Une tendance est indiquée si la pente atteint au moins t fois son incertitude type (95&#xa0;%). Pas avant&#xa0;: la droite + t·u atteint la limite, borne unilatérale à 95&#xa0;%, pour le niveau, non pour le prochain essai.</translation>
     </message>
     <message>
         <source>the %1 in which %2 varies most</source>
@@ -10935,6 +10943,14 @@
     <message>
         <source>“%1”</source>
         <translation>«&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>marks of missing readings: %1</source>
+        <translation>marques de relevés manquants&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>overdue since %1 (%2)</source>
+        <translation>en retard depuis le %1 (%2)</translation>
     </message>
 </context>
 </TS>

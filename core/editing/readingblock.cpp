@@ -70,19 +70,25 @@ public:
     }
 
 private:
-    /// Takes the lines from the first with a number on, each in its place.
+    /// Takes the lines below the headings, each in its place: a reading may be missing at the first target,
+    /// too.
     void takeLines() {
         std::size_t headings = 0;
-        std::uint32_t next = 0;
+        std::uint32_t next = 1;
+        bool hasValue = false;
         for (const TableRow &row : m_table.rows()) {
             if (m_lines.empty())
                 noteNames(row);
-            if (m_lines.empty() && !hasNumber(m_table, row) && !isFirstRefused(row)) {
+            if (m_lines.empty() && isHeading(row, headings > 0)) {
                 ++headings;
                 readHeadings(row);
+                next = row.line + 1;
                 continue;
             }
-            for (; !m_lines.empty() && next < row.line; ++next)
+            hasValue = hasValue || hasNumber(m_table, row) || isFirstRefused(row);
+            // Empty cells of several columns are tabs.
+            const bool countsEmpty = !m_lines.empty() || row.count <= 1 || m_table.text().starts_with('\t');
+            for (; countsEmpty && next < row.line; ++next)
                 m_lines.emplace_back();
             m_lines.emplace_back(row);
             next = row.line + 1;
@@ -90,9 +96,23 @@ private:
                 m_result.hasMarks =
                     m_result.hasMarks || m_table.text(cell).find_first_of(",.") != std::string_view::npos;
         }
-        if (headings > 0 && !m_lines.empty())
+        if (!hasValue)
+            m_lines.clear();
+        if (headings > 0 && hasValue)
             m_result.remarks.push_back(
                 {REPORT_TEXT("report", "lines of headings left out: %1"), {wholeNumber(headings)}});
+    }
+
+    /// True for words, and below them for a ruled or an empty line; words for "none" are missing readings.
+    [[nodiscard]] bool isHeading(const TableRow &row, bool isBelowHeading) const {
+        if (hasNumber(m_table, row) || isFirstRefused(row))
+            return false;
+        const auto cells = m_table.cells(row);
+        const auto isLayout = [this](const TableCell &cell) {
+            return cell.kind == CellKind::empty || m_table.text(cell).starts_with("--");
+        };
+        return std::ranges::any_of(cells, [](const auto &cell) { return cell.kind == CellKind::text; }) ||
+               (isBelowHeading && std::ranges::all_of(cells, isLayout));
     }
 
     /// Notes headings that name targets, also in a row of targets headed by their name.
@@ -375,6 +395,7 @@ private:
         if (isAside(place, none))
             return;
         if (none) {
+            m_missing += cell.kind == CellKind::missing ? 1 : 0;
             erase(place, cell.kind == CellKind::missing);
         } else if (cell.isNumber()) {
             ++m_result.readings;
@@ -413,7 +434,8 @@ private:
         if (m_units.size() == 1)
             m_result.unit = m_units.front();
         for (const auto &[number, text] :
-             {std::pair(m_result.refused, REPORT_TEXT("report", "no numbers, kept in red: %1")),
+             {std::pair(m_missing, REPORT_TEXT("report", "marks of missing readings: %1")),
+              std::pair(m_result.refused, REPORT_TEXT("report", "no numbers, kept in red: %1")),
               std::pair(m_result.aside,
                         REPORT_TEXT("report", "readings set aside keep value and reason, not taken: %1")),
               std::pair(m_result.left, REPORT_TEXT("report", "outside the table and not taken: %1"))}) {
@@ -443,6 +465,7 @@ private:
     std::vector<SaidUnit> m_said;      ///< by the headings, per column of the block
     std::vector<const Unit *> m_units; ///< the units among them that were used for readings
     std::size_t m_skipped = 0;         ///< leading cells of each line that hold the targets
+    std::size_t m_missing = 0;         ///< cells with a word for "none"
     bool m_allZero = true;
     double m_largest = 0;
 };

@@ -157,7 +157,9 @@ private:
             interval = m_language.sentence(
                 {REPORT_TEXT_COUNTED("report", "%n month(s)"), {}, static_cast<int>(*machine.months)});
         if (const std::optional<QDate> due = m_history.due.test())
-            interval += m_language.semicolon() + say(REPORT_TEXT("report", "next test before %1 (%2)"),
+            interval += m_language.semicolon() + say(*due < m_history.today
+                                                         ? REPORT_TEXT("report", "overdue since %1 (%2)")
+                                                         : REPORT_TEXT("report", "next test before %1 (%2)"),
                                                      {Date{due->toString(Qt::ISODate).toStdString()},
                                                       m_history.due.axesDue(*due).toStdString()});
         head.right.rows = {{text(REPORT_TEXT("report", "Tests")), counts()},

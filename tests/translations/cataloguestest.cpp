@@ -200,7 +200,7 @@ void CataloguesTest::knowTheTextsTheWindowTakesFromThem() {
     for (const Entry &entry : entriesOf(catalogue("report_fr.ts")))
         known += entry.source;
     static const QRegularExpression text(
-        R"x(REPORT_TEXT(?:_FOR|_COUNTED)?\(\s*"report",\s*((?:"(?:[^"\\]|\\.)*"\s*)+))x");
+        R"x(REPORT_TEXT(?:_COUNTED)?(?:_FOR)?\(\s*"report",\s*((?:"(?:[^"\\]|\\.)*"\s*)+))x");
     static const QRegularExpression joint(R"("\s*")");
     int sourcesRead = 0;
     QDirIterator sources(WINDOW_SOURCES, {"*.cpp", "*.h"}, QDir::Files, QDirIterator::Subdirectories);

@@ -36,6 +36,11 @@ template <class Enumeration, class Value>
         source, ""                                                                                           \
     }
 
+#define REPORT_TEXT_COUNTED_FOR(context, source, comment)                                                    \
+    ::palmer::Text {                                                                                         \
+        source, comment                                                                                      \
+    }
+
 /// The first argument is always "report", the catalogue of all these texts.
 #define REPORT_TEXT(context, source)                                                                         \
     ::palmer::Text {                                                                                         \

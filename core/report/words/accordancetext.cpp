@@ -14,11 +14,13 @@ namespace palmer {
 
 namespace {
 
+const Text requirementsNotDeclared = REPORT_TEXT_COUNTED("report", "%n not declared");
+const Text practiceNotDeclared =
+    REPORT_TEXT_COUNTED_FOR("report", "%n not declared", "departures from practice");
+
 /// ", 12 not declared"
-QString notDeclared(int count, const Language &language) {
-    return count == 0 ? QString()
-                      : QStringLiteral(", ") +
-                            language.sentence({REPORT_TEXT_COUNTED("report", "%n not declared"), {}, count});
+QString notDeclared(const Text &words, int count, const Language &language) {
+    return count == 0 ? QString() : QStringLiteral(", ") + language.sentence({words, {}, count});
 }
 
 class Sentence {
@@ -83,7 +85,7 @@ private:
         return counted(
                    REPORT_TEXT_COUNTED("report", "Test NOT in accordance with %1: %n requirement(s) not met"),
                    m_counts.unmet) +
-               notDeclared(m_counts.undeclared, m_language);
+               notDeclared(requirementsNotDeclared, m_counts.undeclared, m_language);
     }
 
     [[nodiscard]] QString notChecked(bool page) const {
@@ -93,7 +95,7 @@ private:
         const int open = countOpenInPractice(m_evaluation.findings);
         result += m_counts.departures == 0
                       ? m_language.text(REPORT_TEXT("report", "; no departure from practice found")) +
-                            notDeclared(open, m_language)
+                            notDeclared(practiceNotDeclared, open, m_language)
                       : m_language.semicolon() + requirementsText(m_evaluation, m_language);
         return m_counts.departures + open > 0 ? result + see(page) : result;
     }
@@ -150,22 +152,24 @@ QString accordanceText(const Test &test, const TestEvaluation &evaluation, const
 
 QString requirementsText(const TestEvaluation &evaluation, const Language &language) {
     const RequirementCounts counts = countRequirements(evaluation.findings);
-    const auto counted = [&](const Text &words, int count, int undeclared) {
-        return language.sentence({words, {}, count}) + notDeclared(undeclared, language);
-    };
     if (!evaluation.edition || evaluation.edition->textRead == TextRead::none) {
         const int open = countOpenInPractice(evaluation.findings);
         return counts.departures + open == 0
                    ? QString()
-                   : counted(REPORT_TEXT_COUNTED("report", "%n departure(s) from practice"),
-                             counts.departures, open);
+                   : language.sentence({REPORT_TEXT_COUNTED("report", "%n departure(s) from practice"),
+                                        {},
+                                        counts.departures}) +
+                         notDeclared(practiceNotDeclared, open, language);
     }
     if (counts.unmet > 0)
-        return counted(REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), counts.unmet,
-                       counts.undeclared);
-    return counts.undeclared == 0 ? QString()
-                                  : counted(REPORT_TEXT_COUNTED("report", "%n requirement(s) not declared"),
-                                            counts.undeclared, 0);
+        return language.sentence(
+                   {REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), {}, counts.unmet}) +
+               notDeclared(requirementsNotDeclared, counts.undeclared, language);
+    return counts.undeclared == 0
+               ? QString()
+               : language.sentence({REPORT_TEXT_COUNTED("report", "%n requirement(s) not declared"),
+                                    {},
+                                    counts.undeclared});
 }
 
 Text accordanceWords(Accordance accordance) {

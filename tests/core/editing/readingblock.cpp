@@ -189,6 +189,35 @@ private slots:
         QCOMPARE(readingAt(pasted.measurement, {0, 2}), std::optional(0.003));
     }
 
+    /// A reading that is missing at the first target moves no other.
+    void theFirstReadingMayBeMissing_data() {
+        QTest::addColumn<std::string>("text");
+        QTest::addColumn<bool>("isTwoRuns");
+        QTest::newRow("an empty line") << std::string("\n2.2\n3.3\n") << false;
+        QTest::newRow("an empty cell in quotes") << std::string("\"\"\n2.2\n3.3\n") << false;
+        QTest::newRow("below a heading") << std::string("Run 1\n\n2.2\n3.3\n") << false;
+        for (const char *mark : {"?", "n/a", "x", "-"})
+            QTest::newRow(mark) << std::string(mark) + "\n2.2\n3.3\n" << false;
+        QTest::newRow("two runs") << std::string("\t\n2.2\t4.4\n3.3\t5.5\n") << true;
+        QTest::newRow("two runs, marks") << std::string("n/a\t?\n2.2\t4.4\n3.3\t5.5\n") << true;
+        QTest::newRow("two runs, marks below headings")
+            << std::string("Run 1\tRun 2\nn/a\t?\n2.2\t4.4\n3.3\t5.5\n") << true;
+        QTest::newRow("two runs, a ruled line")
+            << std::string("Run 1\tRun 2\n---\t---\n\t?\n2.2\t4.4\n3.3\t5.5\n") << true;
+    }
+    void theFirstReadingMayBeMissing() {
+        QFETCH(std::string, text);
+        QFETCH(bool, isTwoRuns);
+        const auto block = pasteBlock(emptyExample(), text, at(1, 2, exampleMeasurement()), {});
+        for (std::size_t run = 0; run < 2; ++run) {
+            const auto &readings = block.measurement.runs[run].deviations;
+            const bool isFilled = run == 0 || isTwoRuns;
+            QVERIFY(!readings[0] && !readings[1]);
+            QCOMPARE(readings[2], isFilled ? std::optional(run == 0 ? 0.0022 : 0.0044) : std::nullopt);
+            QCOMPARE(readings[3], isFilled ? std::optional(run == 0 ? 0.0033 : 0.0055) : std::nullopt);
+        }
+    }
+
     void aChosenMarkRefusesTheOther() {
         const PositioningMeasurement empty = emptyExample();
         BlockChoices choices;
