@@ -55,6 +55,11 @@ void addCurve(CurveFigure &figure, Bounds &values, const ComparedCurve &curve,
                              hasBand});
 }
 
+/// The least range of the values: 0.2 µm or arc seconds, in the unit shown.
+double leastRange(Quantity quantity, double scale) {
+    return 0.2 * scale / unitScale(quantity);
+}
+
 } // namespace
 
 CurveFigure differenceFigure(const TestComparison &comparison, const Language &language) {
@@ -73,8 +78,7 @@ CurveFigure differenceFigure(const TestComparison &comparison, const Language &l
     Bounds values;
     for (const ComparedCurve &curve : comparison.curves)
         addCurve(figure, values, curve, comparison.targets, scale, language);
-    constexpr double smallest = 0.2; // µm or arc seconds
-    const Bounds y = values.widened(valueMargin, smallest);
+    const Bounds y = values.widened(valueMargin, leastRange(comparison.quantity, scale));
     const double first = comparison.targets.empty() ? 0 : comparison.targets.front();
     const double last = comparison.targets.empty() ? 1 : comparison.targets.back();
     return withRanges(std::move(figure), {first, last > first ? last : first + 1}, {y.lowest, y.highest},
@@ -84,7 +88,6 @@ CurveFigure differenceFigure(const TestComparison &comparison, const Language &l
 LineFigure pathDifferenceFigure(const std::vector<ComparedPath> &paths, const Language &language) {
     constexpr double turn = 360; // degrees
     constexpr double mostParts = 8;
-    constexpr double smallest = 0.2; // µm
     LineFigure figure;
     figure.title = language.text(REPORT_TEXT("report", "Difference of the paths"));
     figure.x.quantity = language.text(REPORT_TEXT("report", "Angle"));
@@ -107,7 +110,7 @@ LineFigure pathDifferenceFigure(const std::vector<ComparedPath> &paths, const La
         }
         figure.lines.push_back(std::move(line));
     }
-    const Bounds y = values.widened(valueMargin, smallest);
+    const Bounds y = values.widened(valueMargin, leastRange(Quantity::deviation, scale));
     setRange(figure.x, 0, turn, mostParts, TickSteps::angles, language);
     setRange(figure.y, y.lowest, y.highest, mostParts - 2, TickSteps::values, language);
     return figure;

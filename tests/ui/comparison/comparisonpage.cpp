@@ -9,6 +9,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QScopeGuard>
 #include <QTest>
 #include <QToolButton>
 
@@ -57,6 +58,22 @@ private slots:
         c.shown.window->workplace().showPage(Page::readings);
         QVERIFY(!c.shown.find<QWidget>("comparisonSide")->isVisible());
         QVERIFY(c.shown.find<QWidget>("figureCanvas")->isVisible());
+    }
+
+    /// The least range of the figure is 0.2 µm, whatever the unit: in mm a difference is no flat line.
+    void theFigureFillsItsRangeInEveryUnit() {
+        const Compared c;
+        const auto &figure = c.shown.find<LineView>("differenceFigure")->figure();
+        const auto span = [&] {
+            const auto *curves = figure ? std::get_if<CurveFigure>(&*figure) : nullptr;
+            return curves ? curves->y.to - curves->y.from : 0.;
+        };
+        QTRY_VERIFY(span() > 0);
+        const double inMicrometres = span();
+        setWindowUnits({LengthDisplay::millimetres, AngleDisplay::arcSeconds});
+        const auto restored = qScopeGuard([] { setWindowUnits({}); });
+        QTRY_VERIFY(span() < inMicrometres / 2);
+        QVERIFY2(span() < 1.5 * inMicrometres / 1000, qPrintable(QString::number(span())));
     }
 
     /// In full as a hint: there is no room for the terms of the standard.
