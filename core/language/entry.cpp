@@ -18,7 +18,7 @@ constexpr Text notANumber = REPORT_TEXT("report", "not a number");
 constexpr Text beyondNumbers = REPORT_TEXT("report", "larger than any number");
 constexpr Text tooManyDigits = REPORT_TEXT("report", "more than 21 digits before the decimal mark");
 constexpr double mostToType = 1e21; // beyond it numbers are shown with an exponent, which nobody can type
-constexpr Text notTwoNumbers = REPORT_TEXT("report", "not two numbers, from … to");
+constexpr Text notTwoNumbers = REPORT_TEXT("report", "two numbers are asked for, such as −10 … 1590");
 constexpr Text notAscending = REPORT_TEXT("report", "the first number is not the smaller one");
 constexpr Text notADate = REPORT_TEXT("report", "not a date such as 2026-03-12, 12.03.2026 or 12 March 2026");
 constexpr Text notATime = REPORT_TEXT("report", "not a time");
@@ -93,7 +93,10 @@ int monthOf(const QString &name) {
 } // namespace
 
 NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUnits &units) {
-    const QStringView trimmed = typed.trimmed();
+    QStringView trimmed = typed.trimmed();
+    const QString unit = QString::fromUtf8(shownUnit(quantity, units).sign);
+    if (!unit.isEmpty() && trimmed.endsWith(unit))
+        trimmed = trimmed.chopped(unit.size()).trimmed();
     if (trimmed.isEmpty())
         return {};
     std::string plain;
@@ -131,7 +134,8 @@ IntervalEntry enteredInterval(QStringView typed, Quantity quantity, const Displa
         return {};
     static const QRegularExpression between(QStringLiteral("\\s*(?:…|\\.\\.+|;|\\bto\\b|\\bà\\b)\\s*"),
                                             QRegularExpression::UseUnicodePropertiesOption);
-    const QStringList parts = text.split(between);
+    static const QRegularExpression dash(QStringLiteral("\\s[-\u2013\u2014]\\s"));
+    const QStringList parts = text.split(text.contains(between) ? between : dash);
     if (parts.size() != 2)
         return {{}, notTwoNumbers};
     const NumberEntry from = enteredNumber(parts[0], quantity, units);

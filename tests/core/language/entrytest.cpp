@@ -44,6 +44,8 @@ void EntryTest::readsNumbers_data() {
     QTest::newRow("hyphen as minus")              << "-3"            << Quantity::number      << -3.0;
     QTest::newRow("typographic minus")            << "\u22123"       << Quantity::number      << -3.0;
     QTest::newRow("a plus")                       << "+3"            << Quantity::number      << 3.0;
+    QTest::newRow("the unit shown")               << "2,5 s"         << Quantity::time        << 2.5;
+    QTest::newRow("the unit shown, a deviation")  << "-12.5µm"       << Quantity::deviation   << -0.0125;
     QTest::newRow("no digit before the mark")     << ",5"            << Quantity::number      << 0.5;
     QTest::newRow("no digit after it")            << "5."            << Quantity::number      << 5.0;
     QTest::newRow("blanks around")                << "  5 "          << Quantity::number      << 5.0;
@@ -84,8 +86,8 @@ void EntryTest::refusesWhatIsNoNumber_data() {
                                             << "not a number";
     QTest::newRow("a sign inside") << "1-2"
                                    << "not a number";
-    QTest::newRow("a unit") << "5 mm"
-                            << "not a number";
+    QTest::newRow("another unit") << "5 in"
+                                  << "not a number";
     QTest::newRow("infinity") << "inf"
                               << "not a number";
     QTest::newRow("no number") << "nan"
@@ -201,7 +203,8 @@ void EntryTest::readsTimes() {
 }
 
 void EntryTest::readsIntervals() {
-    for (const char *typed : {"-5 … 1800,5", "-5..1800.5", "-5 ; 1 800,5", "-5 to 1800.5", "-5 à 1800,5"}) {
+    for (const char *typed :
+         {"-5 … 1800,5", "-5..1800.5", "-5 ; 1 800,5", "-5 to 1800.5", "-5 à 1800,5", "-5 - 1800,5"}) {
         const IntervalEntry entry = enteredInterval(QString::fromUtf8(typed), Quantity::position);
         QVERIFY2(entry.value, typed);
         QCOMPARE(*entry.value, (Interval{-5, 1800.5}));
