@@ -438,7 +438,7 @@
     </message>
     <message>
         <source>As found and as left</source>
-        <translation>État initial et état final</translation>
+        <translation>Avant et après réglage</translation>
     </message>
     <message>
         <source>Type test, eight machines</source>
@@ -1062,7 +1062,7 @@
     </message>
     <message>
         <source>Choose the test to compare with: of this file, such as the one as found or that before a repair, or of another file. The report then has a page of the comparison.</source>
-        <translation>Choisissez l’essai de comparaison&#xa0;: un essai de ce fichier, comme l’état initial ou l’essai avant réparation, ou celui d’un autre fichier. Le rapport a alors une page de comparaison.</translation>
+        <translation>Choisissez l’essai de comparaison&#xa0;: un essai de ce fichier, comme l’essai avant réglage ou avant réparation, ou celui d’un autre fichier. Le rapport a alors une page de comparaison.</translation>
     </message>
     <message>
         <source>The two tests are being compared…</source>
@@ -1788,7 +1788,7 @@
     <name>palmer::ui::FilterBar</name>
     <message>
         <source>All</source>
-        <translation>Toutes</translation>
+        <translation>Sans filtre</translation>
     </message>
     <message>
         <source>Since</source>
@@ -2557,6 +2557,10 @@
         <source>not identified</source>
         <translation>non identifiée</translation>
     </message>
+    <message>
+        <source>without name</source>
+        <translation>sans nom</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::MachinePage</name>
@@ -2872,7 +2876,7 @@
     </message>
     <message>
         <source>Kept automatically at %1</source>
-        <translation>Enregistré automatiquement à %1</translation>
+        <translation>Copie de secours à %1</translation>
     </message>
     <message>
         <source>New</source>
@@ -5053,6 +5057,10 @@ est la même machine que&#xa0;:</translation>
         <source>not checked</source>
         <translation>non vérifié</translation>
     </message>
+    <message>
+        <source>drift</source>
+        <translation>dérive</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ThermalPage</name>
@@ -5815,6 +5823,18 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>%1 drift</source>
         <translation>Dérive %1</translation>
+    </message>
+    <message>
+        <source>Axis without name</source>
+        <translation>Axe sans nom</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cercle</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Dérive</translation>
     </message>
 </context>
 </TS>

@@ -12,15 +12,21 @@ QString testName(const Test &test) {
     if (!test.title.empty())
         return QString::fromStdString(test.title);
     const QString name = QString::fromStdString(axesOf(test));
-    if (name.isEmpty())
-        return QString::fromStdString(test.id);
+    const auto named = [&](const char *with, const char *without) {
+        const QString text =
+            QCoreApplication::translate("palmer::ui::testName", name.isEmpty() ? without : with);
+        return name.isEmpty() ? text : text.arg(name);
+    };
     switch (kindOf(test)) {
     case Kind::positioning:
-        return QCoreApplication::translate("palmer::ui::testName", "%1 axis").arg(name);
+        return named(QT_TRANSLATE_NOOP("palmer::ui::testName", "%1 axis"),
+                     QT_TRANSLATE_NOOP("palmer::ui::testName", "Axis without name"));
     case Kind::circular:
-        return QCoreApplication::translate("palmer::ui::testName", "%1 circle").arg(name);
+        return named(QT_TRANSLATE_NOOP("palmer::ui::testName", "%1 circle"),
+                     QT_TRANSLATE_NOOP("palmer::ui::testName", "Circle"));
     case Kind::drift:
-        return QCoreApplication::translate("palmer::ui::testName", "%1 drift").arg(name);
+        return named(QT_TRANSLATE_NOOP("palmer::ui::testName", "%1 drift"),
+                     QT_TRANSLATE_NOOP("palmer::ui::testName", "Drift"));
     }
     return name;
 }

@@ -37,7 +37,7 @@ void MachineHead::setMachine(const MachineRow *machine) {
     m_facts->clear();
     if (!machine)
         return;
-    m_name->setText(machine->machine.title());
+    m_name->setText(machine->title());
     m_facts->setText(machine->facts().join(QStringLiteral(" · ")));
     const int months = machine->machine.months.value_or(0);
     if (m_interval->findData(months) < 0) // said on the command line
@@ -46,16 +46,18 @@ void MachineHead::setMachine(const MachineRow *machine) {
     const auto dayText = [](const QDate &date) {
         return windowLanguage().shortDate(date.toString(Qt::ISODate).toStdString());
     };
+    const auto isLate = [](const QDate &due) { return due < QDate::currentDate(); };
+    const auto dueText = [&](const QString &axes, const QDate &due) {
+        return (isLate(due) ? tr("%1: overdue since %2") : tr("%1: next test before %2"))
+            .arg(axes, dayText(due));
+    };
     if (const std::optional<QDate> due = machine->due.test()) {
-        const bool late = *due < QDate::currentDate();
-        const QString axes = machine->due.axesDue(*due);
-        m_due->setContent(late ? tr("%1: overdue since %2").arg(axes, dayText(*due))
-                               : tr("%1: next test before %2").arg(axes, dayText(*due)),
-                          QStringLiteral("clock"), late ? Token::bad : Token::ok,
-                          late ? Token::badGround : Token::okGround);
+        const bool late = isLate(*due);
+        m_due->setContent(dueText(machine->due.axesDue(*due), *due), QStringLiteral("clock"),
+                          late ? Token::bad : Token::ok, late ? Token::badGround : Token::okGround);
         QStringList all;
         for (const auto &[axis, date] : machine->due.tests)
-            all << tr("%1: next test before %2").arg(axis, dayText(date));
+            all << dueText(axis, date);
         if (machine->due.certificate)
             all << tr("certificate expires on %1").arg(dayText(*machine->due.certificate));
         m_due->setToolTip(all.join(u'\n'));

@@ -38,7 +38,8 @@ MarkLook lookOf(const AxisState &state) {
         return {QStringLiteral("ques"), Token::unsure};
     if (state.accordance == Accordance::no)
         return {QStringLiteral("warn"), Token::unsure};
-    if (state.verdict == Verdict::conforms)
+    const bool isShown = state.accordance == Accordance::yes || state.accordance == Accordance::partly;
+    if (state.verdict == Verdict::conforms && isShown)
         return {QStringLiteral("check"), Token::ok};
     return {QStringLiteral("ques"), Token::secondaryText};
 }
@@ -56,11 +57,16 @@ void drawEvidence(QPainter &painter, QRect area, const MachineRow &row, const QP
                      QStringLiteral("ques"), colour);
         area.adjust(machineMarkSize + 3, 0, 0, 0);
     }
-    if (text != row.machine.title() && area.width() > machineMarkSize)
+    if (text != row.title() && area.width() > machineMarkSize)
         drawElided(painter, area, Qt::AlignLeft, text, themeFont(TextSize::tiny), colour);
 }
 
 } // namespace
+
+QString MachineRow::title() const {
+    const QString title = machine.title();
+    return title.isEmpty() ? MachineModel::tr("without name") : title;
+}
 
 std::optional<int> MachineRow::daysToTest(const QDate &today) const {
     return daysUntil(due.test(), today);
@@ -122,11 +128,11 @@ int MachineModel::testCount() const {
 
 QVariant MachineModel::cell(const MachineRow &machine, int, int role) const {
     if (role == Qt::DisplayRole)
-        return machine.machine.title();
+        return machine.title();
     if (role == Qt::ToolTipRole)
         return machine.facts().join(QStringLiteral(" · "));
     if (role == Qt::AccessibleTextRole)
-        return machine.machine.title() + QStringLiteral(", ") + machine.facts().join(QStringLiteral(", "));
+        return machine.title() + QStringLiteral(", ") + machine.facts().join(QStringLiteral(", "));
     return {};
 }
 

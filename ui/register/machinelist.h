@@ -19,6 +19,7 @@ struct MachineRow {
     MachineDue due;
     int tests = 0;
 
+    [[nodiscard]] QString title() const; ///< its name, or that it has none
     /// Days until an action is due; null if none is due within the warning time.
     [[nodiscard]] std::optional<int> daysToTest(const QDate &today) const;
     [[nodiscard]] std::optional<int> daysToCertificate(const QDate &today) const;

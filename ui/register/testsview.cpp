@@ -178,7 +178,6 @@ void TestsView::fitColumns() {
         tooWide += columnWidth(i); // 0 if hidden
     for (const auto &[column, least] : {std::pair(TestTableModel::purposeColumn, leastWord),
                                         std::pair(TestTableModel::roleColumn, leastWord),
-                                        std::pair(TestTableModel::editionColumn, leastWord),
                                         std::pair(TestTableModel::axisColumn, leastAxis)}) {
         const int before = columnWidth(column);
         const int after = std::clamp(before - tooWide, std::min(before, least), before);

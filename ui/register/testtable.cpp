@@ -22,6 +22,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr std::size_t mostResults = 5;
+const QString nbsp = QStringLiteral("\u00A0");
 
 TrendMark markOf(TestRole role) {
     return role == TestRole::asLeft    ? TrendMark::asLeft
@@ -33,13 +34,34 @@ QString said(const Text &text) {
     return text.empty() ? QString() : windowLanguage().text(text);
 }
 
-QVariant resultData(const RegisteredTest &test, const std::string &id, int role) {
+QString unitOf(const RegisteredTest &test) {
+    return windowLanguage().unit(test.angular ? Quantity::angularDeviation : Quantity::deviation);
+}
+
+/// True for lengths beside angles: the heading can give no unit.
+bool areMixed(const std::vector<ListedTest> &tests) {
+    return std::ranges::any_of(
+        tests, [&](const ListedTest &each) { return each.test.angular != tests.front().test.angular; });
+}
+
+/// The value as shown, with its unit where lengths and angles are mixed.
+ShownValue shownIn(const RegisteredTest &test, const RegisteredResult &result, bool withUnit) {
+    ShownValue shown = shownResult(result, test.angular, windowLanguage());
+    if (withUnit && !shown.value.isEmpty())
+        (shown.uncertainty.isEmpty() ? shown.value : shown.uncertainty) += nbsp + unitOf(test);
+    return shown;
+}
+
+QVariant resultData(const RegisteredTest &test, const std::string &id, int role, bool withUnit) {
     const RegisteredResult *result = resultOf(test, id);
-    if (role == TestTableModel::sortRole)
-        return result && result->value ? QVariant(*result->value) : QVariant();
+    if (role == TestTableModel::sortRole) {
+        constexpr double behindLengths = 1e6; // mm
+        return result && result->value ? QVariant(*result->value + (test.angular ? behindLengths : 0))
+                                       : QVariant();
+    }
     if (!result)
         return {};
-    const ShownValue shown = shownResult(*result, test.angular, windowLanguage());
+    const ShownValue shown = shownIn(test, *result, withUnit);
     return role == Qt::DisplayRole                   ? QVariant(shown.value)
            : role == TestTableModel::uncertaintyRole ? QVariant(shown.uncertainty)
                                                      : QVariant();
@@ -124,7 +146,10 @@ QVariant dateData(const RegisteredTest &test, int role) {
                                             : windowLanguage().shortDate(*test.date);
 }
 
+/// The edition; of a test that none judges its kind.
 QString editionWithoutIso(const RegisteredTest &test) {
+    if (!traitsOf(test.kind).isJudged)
+        return TestTableModel::tr("drift");
     return QString::fromStdString(test.edition).remove(QStringLiteral("ISO "));
 }
 
@@ -165,13 +190,13 @@ void TestTableModel::makeColumns() {
         textColumn(tr("Edition"), editionWithoutIso),
         textColumn(tr("Purpose"), [](const RegisteredTest &test) { return said(purposeText(test.purpose)); }),
         textColumn(tr("Role"), [](const RegisteredTest &test) { return said(roleText(test.role)); })};
-    const bool angular = !m_rows.empty() && m_rows.front().test.angular;
-    const QString unit = windowLanguage().unit(angular ? Quantity::angularDeviation : Quantity::deviation);
+    const bool withUnits = areMixed(m_rows);
+    const QString unit = withUnits || m_rows.empty() ? QString() : u' ' + unitOf(m_rows.front().test);
     for (const std::string &id : m_results) {
-        const auto data = [id](const ListedTest &listed, int role) {
-            return resultData(listed.test, id, role);
+        const auto data = [id, withUnits](const ListedTest &listed, int role) {
+            return resultData(listed.test, id, role, withUnits);
         };
-        m_columns.push_back({plainSymbolOf(id) + u' ' + unit + QStringLiteral(" ± U"), {}, data});
+        m_columns.push_back({plainSymbolOf(id) + unit + QStringLiteral(" ± U"), {}, data});
     }
     m_columns.push_back(dataColumn(tr("Limits"), limitsData));
     m_columns.push_back(dataColumn(tr("Test"), accordanceData));
@@ -260,7 +285,8 @@ TestTableModel::Longest TestTableModel::longest(std::size_t result) const {
                                          windowLanguage())
                            : ShownValue();
     };
-    return {shown(value).value, shown(expanded).uncertainty};
+    const QString unit = areMixed(m_rows) ? nbsp + windowLanguage().unit(Quantity::deviation) : QString();
+    return {shown(value).value + unit, shown(expanded).uncertainty + unit};
 }
 
 QColor TestDelegate::ground(const QStyleOptionViewItem &option, const QModelIndex &) const {

@@ -238,40 +238,50 @@ void TrendChart::drawInterventions(QPainter &painter, const QRectF &plot) const 
     }
 }
 
-/// In the strip above the plot, at their lines; if two are close, left of the first and right of the second;
-/// without text if it does not fit.
+/// In the strip above the plot, at their lines; if two are close, left of the first and right of the second,
+/// and of one day together; without text if it does not fit.
 void TrendChart::drawInterventionNames(QPainter &painter, const QRectF &plot) const {
     constexpr double icon = 14;
     constexpr double gap = 4;
-    const QColor colour = token(Token::explanation, palette());
-    painter.setFont(themeFont(TextSize::tiny));
-    const QString unit = m_panel.symbol + u' ' + m_panel.unitName;
-    painter.setPen(token(Token::secondaryText, palette()));
-    painter.drawText(QPointF(2, plot.top() - 8), unit);
-    double free = 2 + painter.fontMetrics().horizontalAdvance(unit) + gap;
-    const auto widthOf = [&](std::size_t i) {
-        return icon + painter.fontMetrics().horizontalAdvance(m_panel.interventions[i].name);
+    struct Label {
+        double at;
+        QString name;
+        bool isCollision;
+        double width = 0;
     };
-    painter.setPen(colour);
+    painter.setFont(themeFont(TextSize::tiny));
+    std::vector<Label> labels;
     for (std::size_t i = 0; i < m_panel.interventions.size(); ++i) {
         const double at = placeOf({m_panel.interventions[i].x, 0}).x();
         if (at < plot.left() || at > plot.right())
             continue;
-        const double width = widthOf(i);
+        const bool isCollision =
+            i < m_trend.interventions.size() && m_trend.interventions[i].kind == InterventionKind::collision;
+        if (!labels.empty() && at - labels.back().at < icon)
+            labels.back().name += QStringLiteral(", ") + m_panel.interventions[i].name;
+        else
+            labels.push_back({at, m_panel.interventions[i].name, isCollision});
+        labels.back().width = icon + painter.fontMetrics().horizontalAdvance(labels.back().name);
+    }
+    const QString unit = m_panel.symbol + u' ' + m_panel.unitName;
+    painter.setPen(token(Token::secondaryText, palette()));
+    painter.drawText(QPointF(2, plot.top() - 8), unit);
+    double free = 2 + painter.fontMetrics().horizontalAdvance(unit) + gap;
+    const QColor colour = token(Token::explanation, palette());
+    painter.setPen(colour);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const auto &[at, name, isCollision, width] = labels[i];
         const bool isCrowded =
-            i + 1 < m_panel.interventions.size() &&
-            placeOf({m_panel.interventions[i + 1].x, 0}).x() - at < (width + widthOf(i + 1)) / 2 + gap;
+            i + 1 < labels.size() && labels[i + 1].at - at < (width + labels[i + 1].width) / 2 + gap;
         double left = isCrowded ? at - width + icon / 2 : at - width / 2;
         if (left < free)
-            left = at - icon / 2; // right of its line
+            left = std::max(free, at - icon / 2); // right of its line
         left = std::min(left, plot.right() - width);
         if (left < free)
             continue;
-        const bool isCollision =
-            i < m_trend.interventions.size() && m_trend.interventions[i].kind == InterventionKind::collision;
         drawLineIcon(painter, QRect(static_cast<int>(left), static_cast<int>(plot.top()) - 19, 12, 14),
                      isCollision ? QStringLiteral("bolt") : QStringLiteral("wrench"), colour);
-        painter.drawText(QPointF(left + icon, plot.top() - 8), m_panel.interventions[i].name);
+        painter.drawText(QPointF(left + icon, plot.top() - 8), name);
         free = left + width + gap;
     }
 }

@@ -10,6 +10,7 @@
 #include "ui/register/filterchip.h"
 #include "ui/register/folderlist.h"
 #include "ui/register/foldersdialog.h"
+#include "ui/register/machinelist.h"
 #include "ui/register/numbertag.h"
 #include "ui/register/registerservice.h"
 #include "ui/register/registersettings.h"
@@ -856,6 +857,39 @@ private slots:
         QVERIFY2(facts.size().width() <= find<QLabel>("trendFacts")->contentsRect().width() + 0.5,
                  qPrintable(QString::number(facts.size().width())));
     }
+
+    /// Lengths and angles in one column have their units at the numbers, and are sorted apart.
+    void lengthsBesideAnglesSayTheirUnits() {
+        const auto listed = [](const std::string &axis, bool angular, double value) {
+            ListedTest one;
+            one.test.axis = axis;
+            one.test.angular = angular;
+            RegisteredResult result;
+            result.id = "A";
+            result.value = value;
+            one.test.results = {result};
+            return one;
+        };
+        const auto heading = [](const TestTableModel &model) {
+            return model.headerData(TestTableModel::firstResult, Qt::Horizontal, Qt::DisplayRole).toString();
+        };
+        const auto cell = [](const TestTableModel &model, int row, int role) {
+            return model.index(row, TestTableModel::firstResult).data(role);
+        };
+        TestTableModel model;
+        model.setTests({listed("X", false, 0.0088), listed("C", true, 0.002)}); // newest first
+        QVERIFY2(!heading(model).contains(u'µ') && !heading(model).contains(u'″'),
+                 qPrintable(heading(model)));
+        QVERIFY(cell(model, 0, Qt::DisplayRole).toString().endsWith(u'″'));
+        QVERIFY(cell(model, 1, Qt::DisplayRole).toString().endsWith("µm"));
+        QVERIFY(cell(model, 0, TestTableModel::sortRole).toDouble() >
+                cell(model, 1, TestTableModel::sortRole).toDouble());
+        model.setTests({listed("X", false, 0.0088)});
+        QVERIFY(heading(model).contains("µm"));
+        QVERIFY(!cell(model, 0, Qt::DisplayRole).toString().contains("µm"));
+    }
+
+    void aMachineWithoutNameSaysSo() { QCOMPARE(MachineRow().title(), QString("without name")); }
 
     void theAxesOfCurvesSayTheirUnits() {
         scan();
