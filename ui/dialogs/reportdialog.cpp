@@ -425,9 +425,13 @@ void ReportDialog::showEvaluated(EvaluatedDocument evaluated) {
         m_simulator.startMissing(m_evaluated);
     }
     const int missing = countMissing(m_evaluated);
-    m_missing->setVisible(missing > 0);
-    m_missing->setText(
-        withGroups(tr("%n required statement(s) missing; printed as “–”", nullptr, missing), missing));
+    QStringList notes(m_note);
+    if (missing > 0)
+        notes << withGroups(tr("%n required statement(s) missing; printed as “–”", nullptr, missing),
+                            missing);
+    notes.removeAll(QString());
+    m_missing->setVisible(!notes.isEmpty());
+    m_missing->setText(notes.join(u'\n'));
 }
 
 void ReportDialog::showPages(Pages pages) {

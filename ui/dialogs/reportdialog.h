@@ -36,6 +36,9 @@ public:
     /// Shows the part with that anchor once its page is composed; the first page if there is none.
     void beginAt(const QString &anchor) { m_anchor = anchor; }
 
+    /// Notes something that the report does not have, above what is missing.
+    void setNote(const QString &note) { m_note = note; }
+
     /// Writes a PDF, or NAME.fr.pdf and NAME.en.pdf for two languages; requires composed pages. Emits
     /// saved() at the end; on failure shows a message first.
     void saveTo(const QString &path);
@@ -169,6 +172,7 @@ private:
     QCheckBox *m_certificate = nullptr;
     QLabel *m_attached = nullptr;
     QLabel *m_missing = nullptr;
+    QString m_note;
     QPushButton *m_save = nullptr;
     QPushButton *m_print = nullptr;
     QPushButton *m_close = nullptr;

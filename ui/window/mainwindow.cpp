@@ -267,10 +267,12 @@ void MainWindow::connectParts() {
         showState();
     });
     connect(&m_autosave, &Autosave::failed, this, [this](const Error &error) {
-        m_notice->show(tr("Changes cannot be kept safe automatically: %1.")
-                           .arg(windowLanguage().sentence(error.message)),
-                       {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
-                        {QStringLiteral("closeNotice"), tr("&Close"), {}}});
+        m_notice->show([this, message = error.message] {
+            return NoticeBar::Notice{
+                tr("Changes cannot be kept safe automatically: %1.").arg(windowLanguage().sentence(message)),
+                {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
+                 {QStringLiteral("closeNotice"), tr("&Close"), {}}}};
+        });
     });
     connect(&m_watch, &FileWatch::changed, this, &MainWindow::fileChangedOutside);
     connect(m_work, &WorkBar::cancelled, this, &MainWindow::cancelReading);
@@ -764,8 +766,11 @@ void MainWindow::fillLikeLast() {
         return;
     }
     if (!like) {
-        m_notice->show(tr("Neither the file nor the register has another test of this machine."),
-                       {{QStringLiteral("noticeRead"), tr("&OK"), [] {}}});
+        m_notice->show([] {
+            return NoticeBar::Notice{
+                tr("Neither the file nor the register has another test of this machine."),
+                {{QStringLiteral("noticeRead"), tr("&OK"), [] {}}}};
+        });
         return;
     }
     m_model.edit(QT_TRANSLATE_NOOP("edits", "fill like the last test"),
@@ -774,10 +779,13 @@ void MainWindow::fillLikeLast() {
     const QString date = from.date ? u' ' + windowLanguage().date(*from.date) : QString();
     const QString file =
         like->file.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(QFileInfo(like->file).fileName());
-    m_notice->show(tr("Filled like %1%2%3. What is measured on the day of the test is still open.")
-                       .arg(testName(from), date, file),
-                   {{QStringLiteral("undoLike"), tr("&Undo"), [this] { step(false); }},
-                    {QStringLiteral("noticeRead"), tr("&OK"), [] {}}});
+    m_notice->show([this, from = testName(from), date, file] {
+        return NoticeBar::Notice{
+            tr("Filled like %1%2%3. What is measured on the day of the test is still open.")
+                .arg(from, date, file),
+            {{QStringLiteral("undoLike"), tr("&Undo"), [this] { step(false); }},
+             {QStringLiteral("noticeRead"), tr("&OK"), [] {}}}};
+    });
 }
 
 void MainWindow::deleteTest() {
@@ -809,10 +817,13 @@ void MainWindow::watchFile(const std::optional<FileState> &known) {
     m_outsideAsked = false;
     m_fileGone = false;
     if (isReadOnly()) // warn before anything is typed, not on saving
-        m_notice->show(tr("%1 is read-only: changes can be saved under another name.")
-                           .arg(QFileInfo(m_model.path()).fileName()),
-                       {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
-                        {QStringLiteral("closeNotice"), tr("&Close"), {}}});
+        m_notice->show([this] {
+            return NoticeBar::Notice{
+                tr("%1 is read-only: changes can be saved under another name.")
+                    .arg(QFileInfo(m_model.path()).fileName()),
+                {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
+                 {QStringLiteral("closeNotice"), tr("&Close"), {}}}};
+        });
     lockFile();
 }
 
@@ -824,11 +835,14 @@ void MainWindow::lockFile() {
     const auto holder = m_lock.claim(m_model.path());
     if (!holder)
         return;
-    m_notice->show(tr("%1 is open already: %2 on %3, process %4. Who saves last overwrites the other.")
-                       .arg(QFileInfo(m_model.path()).fileName(), holder->program, holder->host)
-                       .arg(holder->process),
-                   {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
-                    {QStringLiteral("closeNotice"), tr("&Close"), {}}});
+    m_notice->show([this, holder = *holder] {
+        return NoticeBar::Notice{
+            tr("%1 is open already: %2 on %3, process %4. Who saves last overwrites the other.")
+                .arg(QFileInfo(m_model.path()).fileName(), holder.program, holder.host)
+                .arg(holder.process),
+            {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
+             {QStringLiteral("closeNotice"), tr("&Close"), {}}}};
+    });
 }
 
 void MainWindow::keepCopy() {
@@ -854,20 +868,24 @@ void MainWindow::fileChangedOutside() {
     m_fileGone = !QFileInfo::exists(m_model.path());
     showState();
     if (m_fileGone) {
-        m_notice->show(tr("%1 is no longer where it was. Save to write it anew.").arg(name),
-                       {{QStringLiteral("saveAgain"), tr("&Save"), [this] { save(); }},
-                        {QStringLiteral("closeNotice"), tr("&Close"), {}}});
+        m_notice->show([this, name] {
+            return NoticeBar::Notice{tr("%1 is no longer where it was. Save to write it anew.").arg(name),
+                                     {{QStringLiteral("saveAgain"), tr("&Save"), [this] { save(); }},
+                                      {QStringLiteral("closeNotice"), tr("&Close"), {}}}};
+        });
         return;
     }
-    m_notice->show(
-        m_model.isModified()
-            ? tr("Another program has changed %1. Loading it gives up the changes made here.").arg(name)
-            : tr("Another program has changed %1.").arg(name),
-        {{QStringLiteral("reload"), tr("&Load it"), [this] { reload(); }},
-         {QStringLiteral("keepMine"), tr("&Keep what is here"), [this] {
-              m_outsideAsked = true;
-              showState();
-          }}});
+    m_notice->show([this, name] {
+        return NoticeBar::Notice{
+            m_model.isModified()
+                ? tr("Another program has changed %1. Loading it gives up the changes made here.").arg(name)
+                : tr("Another program has changed %1.").arg(name),
+            {{QStringLiteral("reload"), tr("&Load it"), [this] { reload(); }},
+             {QStringLiteral("keepMine"), tr("&Keep what is here"), [this] {
+                  m_outsideAsked = true;
+                  showState();
+              }}}};
+    });
 }
 
 void MainWindow::reload() {
@@ -938,6 +956,10 @@ bool MainWindow::saveTo(const QString &path) {
     m_savedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
     m_autosavedAt.clear();
     m_notice->hide();
+    if (const QStringList refused = workplace().refusedTexts(); !refused.isEmpty())
+        m_notice->show([refused] {
+            return NoticeBar::Notice{notTaken(refused), {{QStringLiteral("noticeRead"), tr("&OK"), {}}}};
+        });
     watchFile();
     remember();
     noteSavedFile(path);
@@ -1125,14 +1147,13 @@ void MainWindow::fillExamplesMenu() {
     QMenu *list = menu(WindowMenu::examples);
     list->clear();
     QMenu *teaching = nullptr;
-    int number = 0;
+    std::array<int, 2> numbers{}; // of the examples, and of those that teach
     for (const Example &example : examples()) {
-        if (example.teaching && !teaching) {
+        if (example.teaching && !teaching)
             teaching = list->addMenu(tr("&Diagnosis: one influence each"));
-            number = 0;
-        }
-        QAction *action = (teaching ? teaching : list)
-                              ->addAction(QStringLiteral("&%1  %2").arg(++number).arg(example.name));
+        const int number = ++numbers[example.teaching ? 1 : 0];
+        const QString key = number < 10 ? QStringLiteral("&%1  %2") : QStringLiteral("%1  %2");
+        QAction *action = (example.teaching ? teaching : list)->addAction(key.arg(number).arg(example.name));
         connect(action, &QAction::triggered, this, [this, path = example.path] { openFile(path); });
     }
     const Example ofType = typeExample();
@@ -1198,6 +1219,8 @@ void MainWindow::exportFigure() {
 void MainWindow::showReport(const QString &anchor) {
     ReportDialog dialog(m_model, m_evaluator, this);
     dialog.beginAt(anchor);
+    if (const QStringList refused = workplace().refusedTexts(); !refused.isEmpty())
+        dialog.setNote(notTaken(refused));
     dialog.exec();
 }
 

@@ -42,6 +42,9 @@ bool isView(const WindowSituation &now) {
     return now.underOtherEdition;
 }
 
+template <Page page>
+constexpr std::integral_constant<Page, page> shown{};
+
 void showLengths(LengthDisplay lengths) {
     setWindowUnits({lengths, windowLanguage().units().angles});
 }
@@ -98,6 +101,13 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
     };
     const auto row = [](M menu, A action, const char *name, const char *text, void (*run)(W &),
                         const MenuRow::More &more) { return MenuRow{menu, action, name, text, run, more}; };
+    const auto pageRow = [row](auto page, A action, const char *name, const char *text, Qt::Key key) {
+        constexpr Page target = decltype(page)::value;
+        return row(M::view, action, name, text, [](W &w) { w.showPageOf(target); },
+                   {.keys = {K(ctrl | key)}, .possible = [](const WindowSituation &now) {
+                        return now.kind && hasPage(*now.kind, target);
+                    }});
+    };
     static const std::vector<MenuRow> rows{
         menuIn(M::bar, M::file, QT_TR_NOOP("&File")),
         menuIn(M::bar, M::edit, QT_TR_NOOP("&Edit")),
@@ -194,28 +204,15 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
             [](W &w) { w.setEdition(w.testInView(), w.editionInView()); }, {.possible = isView}),
         row(M::test, A::ownEdition, "ownEdition", QT_TR_NOOP("&Back to the edition of the test"),
             [](W &w) { w.m_evaluator.setView(w.testInView(), {}); }, {.possible = isView}),
-        row(M::view, A::readingsPage, "page1", QT_TR_NOOP("&Readings"),
-            [](W &w) { w.showPageOf(Page::readings); },
-            {.keys = {K(ctrl | Qt::Key_1)}, .possible = hasTests}),
-        row(M::view, A::conditionsPage, "page2", QT_TR_NOOP("&Conditions"),
-            [](W &w) { w.showPageOf(Page::conditions); },
-            {.keys = {K(ctrl | Qt::Key_2)}, .possible = hasTests}),
-        row(M::view, A::agreedPointsPage, "page3", QT_TR_NOOP("&Agreed points"),
-            [](W &w) { w.showPageOf(Page::agreedPoints); },
-            {.keys = {K(ctrl | Qt::Key_3)}, .possible = hasTests}),
-        row(M::view, A::limitsPage, "page4", QT_TR_NOOP("&Limits"), [](W &w) { w.showPageOf(Page::limits); },
-            {.keys = {K(ctrl | Qt::Key_4)}, .possible = hasTests}),
-        row(M::view, A::uncertaintyPage, "page5", QT_TR_NOOP("Uncertaint&y"),
-            [](W &w) { w.showPageOf(Page::uncertainty); },
-            {.keys = {K(ctrl | Qt::Key_5)}, .possible = hasTests}),
-        row(M::view, A::comparisonPage, "page7", QT_TR_NOOP("Comparis&on"),
-            [](W &w) { w.showPageOf(Page::comparison); },
-            {.keys = {K(ctrl | Qt::Key_7)}, .possible = hasTests}),
-        row(M::view, A::diagnosisPage, "page6", QT_TR_NOOP("D&iagnosis"),
-            [](W &w) { w.showPageOf(Page::diagnosis); },
-            {.keys = {K(ctrl | Qt::Key_6)}, .possible = hasTests}),
-        row(M::view, A::thermalPage, "page8", QT_TR_NOOP("T&hermal behaviour"),
-            [](W &w) { w.showPageOf(Page::thermal); }, {.keys = {K(ctrl | Qt::Key_8)}, .possible = hasTests}),
+        pageRow(shown<Page::readings>, A::readingsPage, "page1", QT_TR_NOOP("&Readings"), Qt::Key_1),
+        pageRow(shown<Page::conditions>, A::conditionsPage, "page2", QT_TR_NOOP("&Conditions"), Qt::Key_2),
+        pageRow(shown<Page::agreedPoints>, A::agreedPointsPage, "page3", QT_TR_NOOP("&Agreed points"),
+                Qt::Key_3),
+        pageRow(shown<Page::limits>, A::limitsPage, "page4", QT_TR_NOOP("&Limits"), Qt::Key_4),
+        pageRow(shown<Page::uncertainty>, A::uncertaintyPage, "page5", QT_TR_NOOP("Uncertaint&y"), Qt::Key_5),
+        pageRow(shown<Page::diagnosis>, A::diagnosisPage, "page6", QT_TR_NOOP("D&iagnosis"), Qt::Key_6),
+        pageRow(shown<Page::comparison>, A::comparisonPage, "page7", QT_TR_NOOP("Comparis&on"), Qt::Key_7),
+        pageRow(shown<Page::thermal>, A::thermalPage, "page8", QT_TR_NOOP("T&hermal behaviour"), Qt::Key_8),
         lineIn(M::view),
         row(M::view, A::nextMissing, "nextMissing", QT_TR_NOOP("&Next missing statement"),
             [](W &w) { w.workplace().showNextMissing(true); },
@@ -344,6 +341,7 @@ void MainWindow::enableActions() {
     now.test = testInView();
     const auto &evaluated = m_evaluator.latest().tests;
     if (m_open && now.test < evaluated.size()) {
+        now.kind = kindOf(*m_model.document()->tests[now.test]);
         now.hasResults = !m_evaluator.isBusy() && currentTest();
         now.hasEdition = evaluated[now.test]->edition;
         now.underOtherEdition = evaluated[now.test]->view;

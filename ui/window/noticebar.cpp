@@ -6,6 +6,7 @@
 #include "ui/measures.h"
 #include "ui/theme.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -28,13 +29,26 @@ QString NoticeBar::sentence() const {
     return m_sentence->text();
 }
 
-void NoticeBar::show(const QString &sentence, const QList<Answer> &answers) {
+void NoticeBar::show(std::function<Notice()> notice) {
+    m_notice = std::move(notice);
+    fill();
+    QFrame::show();
+}
+
+void NoticeBar::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::LanguageChange && isVisibleTo(parentWidget()))
+        fill();
+    QFrame::changeEvent(event);
+}
+
+void NoticeBar::fill() {
     for (QWidget *old : std::as_const(m_answers))
         old->deleteLater();
     m_answers.clear();
-    m_sentence->setText(QStringLiteral("⚠ ") + sentence);
-    setAccessibleName(sentence);
-    for (const Answer &answer : answers) {
+    const Notice notice = m_notice();
+    m_sentence->setText(QStringLiteral("⚠ ") + notice.sentence);
+    setAccessibleName(notice.sentence);
+    for (const Answer &answer : notice.answers) {
         auto *button = made<QPushButton>(answer.name, answer.text, this);
         connect(button, &QPushButton::clicked, this, [this, action = answer.action] {
             hide();
@@ -44,7 +58,6 @@ void NoticeBar::show(const QString &sentence, const QList<Answer> &answers) {
         m_row->addWidget(button);
         m_answers << button;
     }
-    QFrame::show();
 }
 
 } // namespace palmer::ui

@@ -22,12 +22,24 @@ public:
         std::function<void()> action;
     };
 
-    /// Shows a sentence; every answer closes the bar. A new notice replaces the former.
-    void show(const QString &sentence, const QList<Answer> &answers);
+    struct Notice {
+        QString sentence;
+        QList<Answer> answers;
+    };
+
+    /// Shows a notice in the language of the window, also when that changes; every answer closes the bar. A new
+    /// notice replaces the former.
+    void show(std::function<Notice()> notice);
 
     [[nodiscard]] QString sentence() const;
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
+    void fill();
+
+    std::function<Notice()> m_notice;
     QLabel *m_sentence;
     QHBoxLayout *m_row;
     QList<QWidget *> m_answers;

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/measurement/test.h"
+
 #include <cstddef>
+#include <optional>
 
 namespace palmer::ui {
 
@@ -101,6 +104,7 @@ struct WindowSituation {
     bool open = false;              ///< a document is open
     std::size_t tests = 0;          ///< number of tests in it
     std::size_t test = 0;           ///< index of the test in view
+    std::optional<Kind> kind;       ///< of the test in view; null: none
     bool hasResults = false;        ///< the test in view has up-to-date results
     bool hasEdition = false;        ///< the test in view is evaluated under an edition
     bool hasTargets = false;        ///< the test in view has targets

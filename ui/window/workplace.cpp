@@ -939,13 +939,13 @@ Kind Workplace::kind() const {
     return test < m_evaluated.tests.size() ? kindOf(*m_evaluated.document->tests[test]) : Kind::positioning;
 }
 
-bool Workplace::hasPage(Page page) const {
+bool hasPage(Kind kind, Page page) {
     const auto isOneOf = [page](std::span<const Page> pages) {
         return std::ranges::find(pages, page) != pages.end();
     };
     if (tabOf(page) < 0 || page == Page::readings) // a page of the report belongs to all
         return true;
-    return isOneOf(viewOf(kind()).ownPages) || (traitsOf(kind()).isJudged && isOneOf(judgedPages));
+    return isOneOf(viewOf(kind).ownPages) || (traitsOf(kind).isJudged && isOneOf(judgedPages));
 }
 
 QString Workplace::sizesKey() const {

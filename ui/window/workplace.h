@@ -44,6 +44,9 @@ class TestHead;
 class ThermalPage;
 class UncertaintyPage;
 
+/// Returns true for pages of the report and for those that a test of the kind has.
+[[nodiscard]] bool hasPage(Kind kind, Page page);
+
 /// A window with an open document: navigation, the pages of a test with the detail card below, and on the
 /// right figure, results and findings. Arranges them for the available size. Over 500 lines: each page and
 /// panel is made and placed here, one short function each.
@@ -137,7 +140,7 @@ private:
     void retranslate() final;
     [[nodiscard]] bool wantsStack() const;
     [[nodiscard]] Kind kind() const; ///< of the test in view
-    [[nodiscard]] bool hasPage(Page page) const;
+    [[nodiscard]] bool hasPage(Page page) const { return palmer::ui::hasPage(kind(), page); }
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] QString navigationKey() const;
     [[nodiscard]] bool isReportPage() const;

@@ -327,6 +327,7 @@ private slots:
         };
         press(shown, Qt::Key_S, Qt::ControlModifier);
         QVERIFY(isThere());
+        QVERIFY(shown.find<QLabel>("noticeSentence")->text().contains(text)); // what was saved is without it
         shown.window->workplace().showTest(test == 0 ? 1 : 0);
         shown.window->workplace().showTest(test);
         shown.window->workplace().showPage(place.page);

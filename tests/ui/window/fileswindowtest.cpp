@@ -214,6 +214,10 @@ void FilesWindowTest::saysThatAFileIsReadOnly() {
     QVERIFY(sentence->isVisible());
     QCOMPARE(sentence->text(), u"⚠ a.palmer is read-only: changes can be saved under another name."_s);
     QVERIFY(shown.window->windowTitle().contains(u"(read-only)"_s));
+    setWindowLanguage(Language::Id::french); // the notice follows
+    QCoreApplication::processEvents();
+    QVERIFY2(sentence->text().startsWith(u"⚠ a.palmer est en lecture seule"_s), qPrintable(sentence->text()));
+    setWindowLanguage(Language::Id::english);
     // Saving asks for another name.
     const QString other = folder.filePath(u"b.palmer"_s);
     bool asked = false;

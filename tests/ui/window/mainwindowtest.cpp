@@ -118,6 +118,7 @@ private slots:
     void arrangesForTheSizeThereIs();
     void remembersTheWidthsOfItsParts();
     void thePagesTakeTheKeyboard();
+    void offersThePagesOfTheTest();
     void startsACircularTest();
     void followsThePalette();
     void leavesUnfocusedFieldsToTheWheel();
@@ -668,6 +669,22 @@ void MainWindowTest::thePagesTakeTheKeyboard() {
         QVERIFY2(focused->isVisible() && !qobject_cast<const QAbstractButton *>(focused), page);
     }
     QCOMPARE(shown.window->focusWidget()->objectName(), QStringLiteral("readings"));
+}
+
+/// A page that the kind of test does not have is not offered.
+void MainWindowTest::offersThePagesOfTheTest() {
+    const auto offered = [](const ShownWindow &shown) {
+        QString pages;
+        for (int page = 1; page <= 8; ++page)
+            pages += QString::number(
+                shown.find<QAction>(qPrintable(u"page%1"_s.arg(page)))->isEnabled() ? page : 0);
+        return pages;
+    };
+    QCOMPARE(offered(ShownWindow(examplePath("rotary-axis"))), u"12345070"_s);
+    QCOMPARE(offered(ShownWindow(examplePath("iso230-4-full-circles-xy"))), u"12345670"_s);
+    const ShownWindow thermal(examplePath("thermal-behaviour"));
+    thermal.window->workplace().showTest(1);
+    QCOMPARE(offered(thermal), u"10000008"_s);
 }
 
 void MainWindowTest::startsACircularTest() {
