@@ -165,6 +165,7 @@ public:
         readChanged();
         if (!m_options.stop.stop_requested()) {
             markVanished(listing);
+            leaveFolders();
             simulate();
             m_register.finish();
         }
@@ -265,6 +266,29 @@ private:
                 gone << folder;
         }
         m_writer.takeMachineFiles({}, gone);
+    }
+
+    /// Removes what is registered of the folders that are no longer looked at.
+    void leaveFolders() {
+        if (m_options.left.isEmpty())
+            return;
+        const auto isLeft = [this](const QString &path) {
+            return isBelow(path, m_options.left) && !isBelow(path, m_folders);
+        };
+        QStringList left;
+        for (const auto &[folder, text] : keptMachineFiles(m_register.database())) {
+            if (isLeft(folder))
+                left << folder;
+        }
+        Transaction transaction(m_register.database());
+        m_writer.begin();
+        for (const auto &[path, source] : m_known) {
+            if (isLeft(path))
+                m_writer.remove(path);
+        }
+        m_writer.finish();
+        transaction.commit();
+        m_writer.takeMachineFiles({}, left);
     }
 
     void takeOut(const std::vector<QString> &vanished) {

@@ -28,6 +28,7 @@ struct ScanOptions {
     bool force = false; ///< also where that takes more than half of a folder's tests
     std::stop_token stop = {};
     std::function<void(const ScanProgress &)> progress = {};
+    QStringList left = {}; ///< no longer looked at: their files leave the register, except those of `folders`
 };
 
 /// A file or folder that cannot be read, and why (see storedsentence.h).

@@ -72,10 +72,13 @@ RegisterService::RegisterService(QString address, QStringList folders, QObject *
 RegisterService::~RegisterService() = default;
 
 void RegisterService::setFolders(const QStringList &folders) {
+    if (!isServerAddress(m_address)) // others may look at the folder
+        m_left << m_folders;
     m_folders.clear();
     for (const QString &folder : folders)
         m_folders << cleanPath(folder);
     m_folders.removeDuplicates();
+    m_left.removeIf([this](const QString &folder) { return m_folders.contains(folder); });
     if (m_keepsFolders)
         QSettings().setValue(foldersKey, m_folders);
     m_lane.cancel();
@@ -97,6 +100,7 @@ void RegisterService::setAddress(const QString &address) {
     m_lane.cancel();
     m_stopScan = {};
     m_address = address;
+    m_left.clear();
     m_result = {};
     m_trouble.clear();
     m_scannedAt = {};
@@ -106,7 +110,7 @@ void RegisterService::setAddress(const QString &address) {
 
 void RegisterService::rescan(Prune prune) {
     m_isStopped = false;
-    if (!m_folders.isEmpty()) {
+    if (!m_folders.isEmpty() || !m_left.isEmpty()) {
         if (prune != Prune::no)
             m_stopScan.request_stop(); // the new scan continues from there
         if (m_lane.isBusy() && prune == Prune::no)
@@ -150,12 +154,13 @@ void RegisterService::fileSaved(const QString &path) {
 }
 
 void RegisterService::start(const QStringList &places, bool isWhole, Prune prune) {
+    const QStringList left = isWhole ? m_left : QStringList();
     if (m_stopScan.stop_requested())
         m_stopScan = {}; // scans waiting in the queue are stopped together
     m_begun.start();
     m_told.invalidate();
     m_lane.start(
-        [this, address = m_address, places, isWhole, prune, asked = m_stopScan,
+        [this, address = m_address, places, isWhole, prune, left, asked = m_stopScan,
          language = windowLanguage()](const Background::Job &job) mutable {
             const std::stop_callback ended(job.stop(), [&asked] { asked.request_stop(); });
             Scanned done;
@@ -165,6 +170,7 @@ void RegisterService::start(const QStringList &places, bool isWhole, Prune prune
                 options.stop = asked.get_token();
                 options.prune = prune != Prune::no;
                 options.force = prune == Prune::force;
+                options.left = left;
                 options.progress = [&](const ScanProgress &progress) {
                     job.post([this, progress] { tellProgress(progress.done, progress.total); });
                 };
@@ -176,8 +182,10 @@ void RegisterService::start(const QStringList &places, bool isWhole, Prune prune
                 done.folders = watchable(places, job.stop());
             return done;
         },
-        [this, isWhole](Scanned done) {
+        [this, isWhole, left](Scanned done) {
             m_trouble = done.trouble;
+            if (m_trouble.isEmpty() && !done.result.stopped)
+                m_left.removeIf([&left](const QString &folder) { return left.contains(folder); });
             const bool wasStopped = done.result.stopped;
             const bool hasChanged = done.result.read > 0 || done.result.notFound != m_result.notFound ||
                                     done.result.unreadable.size() != m_result.unreadable.size() ||

@@ -539,6 +539,29 @@ private slots:
     }
 
     /// Stopped, what was read is there, and nothing goes on by itself; Rescan reads the rest.
+    /// The register is an index over its folders: the tests of one that is removed go with it.
+    void aFolderThatIsRemovedTakesItsTestsAlong() {
+        QTemporaryDir second;
+        Sample sample;
+        sample.machine = sample.serial = "Machine 3";
+        writeFile(second.filePath("third.palmer"), fileOf(sample));
+        QVERIFY(QDir(folder()).mkpath("inner"));
+        sample.machine = sample.serial = "Machine 4";
+        writeFile(folder() + "/inner/fourth.palmer", fileOf(sample));
+        const auto rows = [this] { return find<QListView>("machines")->model()->rowCount(); };
+        m_window->setFolders({folder(), second.path()});
+        QTRY_COMPARE(rows(), 4);
+        m_window->setFolders({folder()});
+        QTRY_COMPARE(rows(), 3);
+        m_window->setFolders({folder() + "/inner"}); // the inner one stays
+        QTRY_COMPARE(rows(), 1);
+        QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 4"));
+        m_window->setFolders({});
+        QTRY_COMPARE(rows(), 0);
+        m_window->setFolders({folder()});
+        QTRY_COMPARE(rows(), 3);
+    }
+
     void aScanIsStoppedAndGoesOn() {
         for (int i = 0; i < 400; ++i) {
             Sample sample;
