@@ -3274,6 +3274,50 @@
         <translation>Les températures du fichier sont prises comme celles du début de l’essai.</translation>
     </message>
     <message>
+        <source>Unit of the positions: the file says “%1”, but its format has them in %2; say the unit of the numbers.</source>
+        <translation>Unité des positions&#xa0;: le fichier indique «&#xa0;%1&#xa0;», mais son format les a en %2&#x202f;; indiquer l’unité des nombres.</translation>
+    </message>
+    <message>
+        <source>Unit of the readings: the file says “%1”, but its format has them in %2; say the unit of the numbers.</source>
+        <translation>Unité des relevés&#xa0;: le fichier indique «&#xa0;%1&#xa0;», mais son format les a en %2&#x202f;; indiquer l’unité des nombres.</translation>
+    </message>
+    <message>
+        <source>The section %1 is there once more; it was not read.</source>
+        <translation>La section %1 figure une nouvelle fois&#x202f;; elle n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>Directions: the file says “%1”, which was not used; is what was read right?</source>
+        <translation>Sens&#xa0;: le fichier indique «&#xa0;%1&#xa0;», ce qui n’a pas été utilisé&#x202f;; la lecture est-elle juste&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Directions: the file says “%1”; read as ↓.</source>
+        <translation>Sens&#xa0;: le fichier indique «&#xa0;%1&#xa0;»&#x202f;; lu comme ↓.</translation>
+    </message>
+    <message>
+        <source>Directions: the file says “%1”; read as ↑.</source>
+        <translation>Sens&#xa0;: le fichier indique «&#xa0;%1&#xa0;»&#x202f;; lu comme ↑.</translation>
+    </message>
+    <message>
+        <source>the table holds increments from one position to the next, not values at the positions; save it as an absolute table</source>
+        <translation>la table contient des incréments d’une position à la suivante, non des valeurs aux positions&#x202f;; l’enregistrer comme table absolue</translation>
+    </message>
+    <message>
+        <source>the unit of the sample rate “%1” is not known</source>
+        <translation>l’unité de la fréquence d’échantillonnage «&#xa0;%1&#xa0;» est inconnue</translation>
+    </message>
+    <message>
+        <source>Kind: the file speaks of “%1”; read as a drift test.</source>
+        <translation>Nature&#xa0;: le fichier parle de «&#xa0;%1&#xa0;»&#x202f;; lu comme un essai de dérive.</translation>
+    </message>
+    <message>
+        <source>%1: the file says “%2” in an element that is not known; read as %3.</source>
+        <translation>%1&#xa0;: le fichier indique «&#xa0;%2&#xa0;» dans un élément inconnu&#x202f;; lu comme %3.</translation>
+    </message>
+    <message>
+        <source>Arc: the runs have %1 and %2 readings, so one may be of a shorter arc; %3 is assumed for each.</source>
+        <translation>Arc&#xa0;: les passes comptent %1 et %2 relevés, l’une est peut-être d’un arc plus court&#x202f;; %3 est supposé pour chacune.</translation>
+    </message>
+    <message>
         <source>The section %1 is not known and was not read.</source>
         <translation>La section %1 est inconnue et n’a pas été lue.</translation>
     </message>

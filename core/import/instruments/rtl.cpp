@@ -3,8 +3,11 @@
 #include "import/readers.h"
 
 #include "document/place.h"
+#include "import/instruments/datanumbers.h"
+#include "import/instruments/otherlines.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
+#include "kernel/words/characters.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
 
@@ -20,8 +23,19 @@ namespace {
 
 constexpr double mostTargets = 1e6;
 
-constexpr std::array<std::string_view, 7> knownSections{"HEADER",     "TARGET DATA", "USER-TEXT",  "RUNS",
-                                                        "DEVIATIONS", "EQUIPMENT",   "ENVIRONMENT"};
+constexpr std::string_view knownSections =
+    "||header|target data|user-text|runs|deviations|equipment|environment|eof|";
+/// Keys that are read, or of the format itself.
+constexpr std::string_view knownKeys =
+    "|header/file type|header/owner|header/version no|target data/filetype|target data/target-count|"
+    "target data/targets|target data/flags|user-text/machine|user-text/serial no|user-text/date|user-text/by|"
+    "user-text/axis|user-text/location|user-text/title|runs/run-count|deviations/run target data|"
+    "environment/air temp|environment/air press|environment/air humid|environment/mat temp 1|"
+    "environment/mat temp 2|environment/mat temp 3|environment/exp coeff|";
+
+bool isAmong(std::string_view words, const std::string &word) {
+    return words.find('|' + lowerCase(word) + '|') != std::string_view::npos;
+}
 
 std::optional<double> numberOf(std::optional<std::string_view> text) {
     if (!text)
@@ -34,26 +48,107 @@ public:
     RtlReader(Choices &choices, Imported &imported)
         : m_choices(choices)
         , m(imported)
-        , m_sections(sectionsOf(imported.text)) {}
+        , m_numbers(imported.text, choices) {}
 
     void read() {
+        takeSections();
         requireEnd();
         readTargets();
         readDeviations();
+        collectOthers();
         resolveDirections();
+        m_notes = m_others.notes();
         const PassForm form = resolveForms();
         Test test;
         PositioningMeasurement measurement = measurementOf(passesInOrder(), form, m.remarks);
         readUserText(test, measurement);
         readEnvironment(measurement);
-        test.edition = m_choices.resolveEdition(Kind::positioning);
+        test.edition = m_choices.resolveEdition(Kind::positioning, m_notes.edition);
         test.measurement = std::move(measurement);
         m.test = std::move(test);
-        remarkUnused();
-        remarkIgnored();
+        m_numbers.remark(m.remarks);
+        takeNotes(m_notes, m);
     }
 
 private:
+    /// The sections of one measurement: each ends with EOF::, and some programs write several into a file.
+    void takeSections() {
+        std::vector<std::vector<Section>> parts(1);
+        for (Section &section : sectionsOf(m.text)) {
+            if (!parts.back().empty() && sameWord(parts.back().back().name, "EOF"))
+                parts.emplace_back();
+            parts.back().push_back(std::move(section));
+        }
+        std::vector<std::string> names;
+        std::vector<std::vector<Section>> measurements;
+        for (std::vector<Section> &part : parts) {
+            if (findSection(part, "DEVIATIONS") || measurements.empty()) {
+                const std::string_view axis = valueIn(part, "USER-TEXT", "Axis");
+                names.push_back(std::to_string(part.empty() ? 1 : part.front().line) + "–" +
+                                std::to_string(part.empty() ? 1 : part.back().line) +
+                                (axis.empty() ? std::string() : " (" + excerpt(axis) + ')'));
+                measurements.push_back(std::move(part));
+            } else {
+                for (Section &section : part)
+                    measurements.back().push_back(std::move(section));
+            }
+        }
+        m_sections = std::move(measurements[resolveMeasurement(names, m_choices, m.remarks)]);
+    }
+
+    /// Lists what is in the sections and has no field here.
+    void collectOthers() {
+        for (const Section &section : m_sections) {
+            const bool isFirst = findSection(m_sections, section.name) == &section;
+            const std::string name = lowerCase(section.name);
+            const bool isKnown = isAmong(knownSections, name);
+            if (isAgainData(section, isFirst))
+                continue;
+            if (!isKnown)
+                m.remarks.note({"", section.line},
+                               REPORT_TEXT("report", "The section %1 is not known and was not read."),
+                               excerpt(section.name));
+            std::set<std::string> seen; // the first value of each is the one read
+            for (const SectionLine &line : section.lines) {
+                const bool isAgain =
+                    !seen.insert(lowerCase(line.key)).second && section.value(line.key) != line.value;
+                const bool isUsed =
+                    isFirst && !isAgain && isAmong(knownKeys, name + '/' + std::string(line.key));
+                if (isUsed || line.value.empty() || (line.key.empty() && isOfData(section)))
+                    continue;
+                if (isOfData(section) && isDigit(line.key.front())) {
+                    m.remarks.unlike(line.line);
+                    continue;
+                }
+                addOther(line, name, isKnown && isFirst);
+            }
+        }
+    }
+
+    /// A line of a section of that name; one of an instrument states nothing of the machine.
+    void addOther(const SectionLine &line, const std::string &name, bool isStatement) {
+        const std::string text =
+            std::string(line.key) + (line.key.empty() ? "" : ": ") + std::string(line.value);
+        if (isStatement && name != "equipment" && name != "eof")
+            m_others.add(line.line, text, name == "target data");
+        else
+            m_others.list(line.line, text);
+    }
+
+    [[nodiscard]] static bool isOfData(const Section &section) {
+        return sameWord(section.name, "TARGET DATA") || sameWord(section.name, "DEVIATIONS");
+    }
+
+    /// True for a second list of targets or deviations, which is not read.
+    bool isAgainData(const Section &section, bool isFirst) {
+        if (isFirst || !isOfData(section))
+            return false;
+        m.remarks.problem({"unread", section.line},
+                          REPORT_TEXT("report", "The section %1 is there once more; it was not read."),
+                          excerpt(section.name));
+        return true;
+    }
+
     void requireEnd() const {
         if (!findSection(m_sections, "EOF"))
             refuseContent(REPORT_TEXT("report", "the file ends before “%1”: it was cut off"), "EOF::");
@@ -77,6 +172,8 @@ private:
                 takeTargets(line.value, line.line);
             } else {
                 listing = false;
+                if (line.key.empty())
+                    m.remarks.unlike(line.line);
             }
         }
         if (m_targets.empty())
@@ -101,7 +198,7 @@ private:
     }
 
     void takeTargets(std::string_view text, std::size_t line) {
-        const auto numbers = numbersIn(text);
+        const auto numbers = m_numbers.in(text, line);
         if (!numbers)
             refuseContentAt(placeOfLine(line),
                             REPORT_TEXT("report", "“%1” is not a list of target positions"), excerpt(text));
@@ -115,8 +212,8 @@ private:
         double lowest = INFINITY;
         for (const SectionLine &line : section.lines) {
             if (!line.key.empty())
-                continue; // "Run Target Data:"
-            const auto numbers = numbersIn(line.value);
+                continue; // "Run Target Data:", or another statement
+            const auto numbers = m_numbers.in(line.value, line.line);
             const bool row =
                 numbers && numbers->size() == 3 && isWhole((*numbers)[0]) && isWhole((*numbers)[1]);
             if (!row) {
@@ -192,11 +289,17 @@ private:
             found = m_oneDirection ? "positive" : "alternating";
             origin = m_oneDirection ? Origin::recognised : Origin::guessed;
         }
-        const auto choice = m_choices.resolve("directions", found, origin);
+        const std::string &stated = m_others.direction();
+        const auto choice = m_choices.resolve("directions", found, stated.empty() ? origin : Origin::guessed);
         std::size_t j = 0;
         for (auto &[number, run] : m_runs)
             run.direction = directionOf(choice.value, run, j++);
-        if (choice.origin == Origin::guessed)
+        if (choice.origin == Origin::guessed && !stated.empty())
+            m.remarks.problem("directions",
+                              REPORT_TEXT("report", "Directions: the file says “%1”, which was not used; is "
+                                                    "what was read right?"),
+                              excerpt(stated));
+        else if (choice.origin == Origin::guessed)
             m.remarks.assumption(
                 "directions",
                 byOrder ? REPORT_TEXT("report", "Directions: the targets descend along the list; a run in "
@@ -217,8 +320,7 @@ private:
         const std::string type =
             std::string(m_type) + ' ' + std::string(valueIn(m_sections, "HEADER", "File type"));
         const std::string_view owner = valueIn(m_sections, "HEADER", "Owner");
-        const bool ofRotaryAxis =
-            containsWord(type, "rta") || containsWord(type, "rot") || containsWord(owner, "rot");
+        const bool ofRotaryAxis = isRotaryType(type) || containsWord(owner, "rot");
         const bool angular = containsWord(type, "ang") || ofRotaryAxis;
         const bool rotary = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary" : angular;
         requireRotation(angular, ofRotaryAxis);
@@ -231,14 +333,16 @@ private:
         m_choices.resolve("motion", rotary ? "rotary" : "linear", Origin::recognised);
         form.content =
             m_choices.isChosen("content") ? std::string(m_choices.chosen("content")) : "deviations";
-        form.positionUnit =
-            unitOf(m_choices.resolve("positionUnit", rotary ? "deg" : "mm", Origin::recognised).value);
-        form.unit = unitOf(m_choices.resolve("unit", rotary ? "mrad" : "um", Origin::recognised).value);
+        form.positionUnit = resolveFixedUnit("positionUnit", m_notes.positionUnit,
+                                             *unitOf(rotary ? "deg" : "mm"), m_choices, m.remarks);
+        form.unit =
+            resolveFixedUnit("unit", m_notes.unit, *unitOf(rotary ? "mrad" : "um"), m_choices, m.remarks);
         if (form.unit->kind != form.positionUnit->kind ||
             form.unit->kind != (rotary ? UnitKind::angle : UnitKind::length))
             refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"), "unit",
                           std::string(form.unit->word));
-        form.sign = m_choices.resolve("sign", "actualMinusTarget", Origin::recognised).value;
+        form.sign =
+            resolveSaidSign(m_notes.sign, "actualMinusTarget", Origin::recognised, m_choices, m.remarks);
         m.remarks.note(
             {},
             REPORT_TEXT("report", "Units of this format: targets in %1, deviations in %2, actual − target."),
@@ -276,19 +380,14 @@ private:
 
     /// Straightness, squareness, flatness are measured along an axis, too.
     void askForType() {
-        constexpr std::array<std::string_view, 5> known{"lin", "pos", "ang", "rot", "rta"};
-        for (const std::string_view type : {m_type, valueIn(m_sections, "HEADER", "File type")}) {
-            const bool isWord =
-                std::ranges::any_of(type, [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; });
-            if (isWord && std::ranges::none_of(
-                              known, [&](std::string_view word) { return containsWord(type, word); })) {
-                m.remarks.problem(
-                    "kind",
-                    REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."),
-                    excerpt(type));
-                return;
-            }
-        }
+        const Text question =
+            REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test.");
+        const std::array types{m_type, valueIn(m_sections, "HEADER", "File type")};
+        const auto *const other = std::ranges::find_if_not(types, isKnownType);
+        if (other != types.end())
+            m.remarks.problem("kind", question, excerpt(*other));
+        else
+            m_others.askForKind(userText("TITLE"), question, m.remarks);
     }
 
     [[nodiscard]] std::string userText(std::string_view key) const {
@@ -316,16 +415,17 @@ private:
         const auto within = [&](std::string_view key, double low, double high) -> std::optional<double> {
             constexpr std::string_view units =
                 "||mbar|hpa|%|%rh|% rh|c|°c|degc|deg c|ppm|ppm/c|ppm/°c|um/m/c|µm/m/°c|";
-            const auto text = environment->value(key);
-            const auto value = numberOf(text);
-            if (!value)
+            const auto isOfKey = [&](const SectionLine &each) { return sameWord(each.key, key); };
+            const auto line = std::ranges::find_if(environment->lines, isOfKey);
+            if (line == environment->lines.end() || line->value.empty())
                 return {};
-            const std::size_t end = std::min(text->find_first_of(" \t"), text->size());
-            const bool isUsual =
-                units.find('|' + lowerCase(withoutBlanks(text->substr(end))) + '|') != std::string_view::npos;
-            if (isUsual && *value >= low && *value <= high)
+            const std::string_view text = line->value;
+            const auto value = numberOf(text);
+            const std::string_view unit = text.substr(std::min(text.find_first_of(" \t"), text.size()));
+            const bool isUsual = isAmong(units, std::string(withoutBlanks(unit)));
+            if (value && isUsual && *value >= low && *value <= high)
                 return value;
-            m_refused.insert(lowerCase(key));
+            m_notes.unused.add(line->line, std::string(key) + ": " + std::string(line->value));
             return {};
         };
         conditions.airPressure = within("Air press", 500, 1200);
@@ -352,40 +452,6 @@ private:
                                                      "file are taken as those at the start of the test."));
     }
 
-    /// Lists what stands in the sections of statements and has no field here.
-    void remarkUnused() {
-        constexpr std::string_view used =
-            "|machine|serial no|date|by|axis|location|title|air temp|air press|air humid|"
-            "mat temp 1|mat temp 2|mat temp 3|exp coeff|";
-        QuotedLines unused;
-        for (const std::string_view name : {"USER-TEXT", "EQUIPMENT", "ENVIRONMENT"}) {
-            const Section *section = findSection(m_sections, name);
-            std::set<std::string> seen; // the first value of each is the one read
-            for (const SectionLine &line : section ? section->lines : std::vector<SectionLine>()) {
-                const bool isAgain =
-                    !seen.insert(lowerCase(line.key)).second && section->value(line.key) != line.value;
-                const bool isUsed =
-                    !isAgain && used.find('|' + lowerCase(line.key) + '|') != std::string_view::npos &&
-                    std::string_view(name) != "EQUIPMENT" && !m_refused.contains(lowerCase(line.key));
-                if (!line.value.empty() && !isUsed)
-                    unused.add(line.line, std::string(line.key) + ": " + std::string(line.value));
-            }
-        }
-        unused.remarkUnused(m.remarks);
-    }
-
-    void remarkIgnored() {
-        for (const Section &section : m_sections) {
-            if (sameWord(section.name, "EOF") ||
-                std::ranges::any_of(knownSections,
-                                    [&](std::string_view known) { return sameWord(known, section.name); }))
-                continue;
-            m.remarks.note({"", section.line},
-                           REPORT_TEXT("report", "The section %1 is not known and was not read."),
-                           excerpt(section.name));
-        }
-    }
-
     struct Row {
         double run = 0;
         double target = 0;
@@ -406,7 +472,9 @@ private:
     std::vector<double> m_targets;
     std::vector<Row> m_rows;
     std::map<double, RunRows> m_runs;
-    std::set<std::string> m_refused; ///< keys with a value that has no place here
+    DataNumbers m_numbers;
+    OtherLines m_others;
+    FileNotes m_notes; ///< what the other lines state
     std::string_view m_type;
     bool m_oneDirection = false;
 };

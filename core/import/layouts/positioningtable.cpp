@@ -170,7 +170,8 @@ bool namesCorrection(const TableReading &reading) {
     });
 }
 
-/// The word for a quantity measured along an axis other than its position; empty if there is none.
+} // namespace
+
 std::string otherQuantity(std::string_view text) {
     constexpr std::array<std::string_view, 29> words{"straightness",
                                                      "squareness",
@@ -212,6 +213,8 @@ std::string otherQuantity(std::string_view text) {
     }
     return {};
 }
+
+namespace {
 
 void askForOtherQuantity(TableReading &reading) {
     std::vector<std::uint32_t> rows = reading.body.notes;

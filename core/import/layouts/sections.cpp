@@ -32,8 +32,8 @@ std::vector<Section> sectionsOf(std::string_view text) {
             sections.push_back({withoutBlanks(content.substr(0, content.size() - 2)), line, {}});
             continue;
         }
-        if (sections.empty())
-            continue;
+        if (sections.empty()) // lines above the first
+            sections.push_back({{}, line, {}});
         const std::size_t colon = content.find(':');
         if (colon == std::string_view::npos)
             sections.back().lines.push_back({line, {}, content});

@@ -83,6 +83,9 @@ void readSeries(TableReading &reading, bool temperatures);
 /// True if the pairs of x and y lie on a circle.
 [[nodiscard]] bool areOnCircle(const TableReading &reading, std::size_t xColumn, std::size_t yColumn);
 
+/// The word for a quantity measured along an axis other than its position; empty if there is none.
+[[nodiscard]] std::string otherQuantity(std::string_view text);
+
 /// True if a column counts 0, 1, 2 … or 1, 2, 3 … .
 [[nodiscard]] bool isCounter(const TableReading &reading, std::size_t column);
 
