@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
+#include "import/instruments/datanumbers.h"
+#include "import/instruments/otherlines.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/phrases.h"
 #include "import/layouts/sections.h"
@@ -46,8 +48,25 @@ bool isDamagedRow(std::string_view line) {
     return rest.find_first_of(" \t") == std::string_view::npos && begins(rest);
 }
 
+/// Units in the headings of the tables.
+struct HeadingUnits {
+    SaidUnit positions;
+    SaidUnit errors;
+
+    /// `isFurther`: there were headings before; the unit of one of several is not that of all.
+    void add(std::string_view heading, bool isFurther) {
+        const std::size_t mark = heading.find(headingMark);
+        SaidUnit said = saidUnit(heading.substr(mark));
+        if (isFurther && said.isSaid() != errors.isSaid())
+            said = {nullptr, said.words() + errors.words()};
+        positions = unitOfBoth(positions, saidUnit(heading.substr(0, mark)));
+        errors = unitOfBoth(errors, said);
+    }
+};
+
 /// A position repeated in a table belongs to another table whose heading is missing.
-std::vector<MeanTable> tablesOf(std::string_view text, Remarks &remarks) {
+std::vector<MeanTable> tablesOf(std::string_view text, DataNumbers &data, HeadingUnits &units,
+                                OtherLines &others, Remarks &remarks) {
     std::vector<MeanTable> tables;
     bool inTable = false;
     const auto leave = [&](std::size_t place) { remarks.unlike(place); };
@@ -56,14 +75,17 @@ std::vector<MeanTable> tablesOf(std::string_view text, Remarks &remarks) {
         if (line.find(headingMark) != std::string_view::npos) {
             tables.push_back({directionOfTitle(line), number});
             inTable = true;
+            units.add(line, tables.size() > 1);
             continue;
         }
-        const auto numbers = numbersIn(line);
-        const bool isData = numbers || isDamagedRow(line);
-        if (line.empty() || tables.empty())
+        if (line.empty())
             continue;
+        const auto numbers = data.in(line, number);
+        const bool isData =
+            numbers ? !tables.empty() || numbers->size() == 2 : !tables.empty() && isDamagedRow(line);
         if (!isData) {
             inTable = false;
+            others.add(number, line);
         } else if (inTable && numbers && numbers->size() == 2 &&
                    tables.back().positions.insert((*numbers)[0]).second) {
             tables.back().pass.readings.push_back(
@@ -114,22 +136,35 @@ bool isPosText(QByteArrayView bytes) {
 
 void readPosText(const ImportSource &source, Choices &choices, Imported &imported) {
     imported.text = decodedText(source.bytes, choices, imported);
-    const std::vector<MeanTable> tables = tablesOf(imported.text, imported.remarks);
+    DataNumbers data(imported.text, choices);
+    OtherLines others;
+    HeadingUnits units;
+    const std::vector<MeanTable> tables = tablesOf(imported.text, data, units, others, imported.remarks);
     if (tables.empty())
         refuseWithoutReadings();
     std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
     imported.remarks.note(
         {}, REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little."));
     choices.resolve("content", "deviations", Origin::recognised);
+    const FileNotes notes = others.notes();
     PassForm form;
-    form.sign = choices.resolve("sign", "actualMinusTarget", Origin::guessed).value;
-    if (!choices.isChosen("sign"))
+    form.sign = resolveSaidSign(notes.sign, "actualMinusTarget", Origin::guessed, choices, imported.remarks);
+    if (!choices.isChosen("sign") && notes.sign.words.empty())
         imported.remarks.assumption("sign", REPORT_TEXT("report", "Sign: it changed between the versions of "
                                                                   "the program; read as actual − target."));
-    form.unit = unitOf(choices.resolve("unit", "mm", Origin::recognised).value);
-    form.positionUnit = unitOf(choices.resolve("positionUnit", "mm", Origin::recognised).value);
+    const auto settle = [&](const char *choice, const SaidUnit &inHeading, const SaidUnit &stated) {
+        const SaidUnit &said = inHeading.isSaid() ? inHeading : stated.isSaid() ? stated : notes.unit;
+        return resolveStatedUnit(choice, said, *unitOf("mm"), choices, imported.remarks);
+    };
+    form.unit = settle("unit", units.errors, notes.unit);
+    form.positionUnit = settle("positionUnit", units.positions, notes.positionUnit);
     requireOneMotion(form);
-    imported.test = testFrom(measurementOf(std::move(passes), form, imported.remarks), "", choices);
+    others.askForKind({}, REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."),
+                      imported.remarks);
+    imported.test = testFrom(measurementOf(std::move(passes), form, imported.remarks), notes.axis, choices,
+                             notes.edition);
+    data.remark(imported.remarks);
+    takeNotes(notes, imported);
     choices.resolve("kind", "positioning", Origin::recognised);
 }
 

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
+#include "document/place.h"
+#include "import/instruments/datanumbers.h"
+#include "import/instruments/otherlines.h"
 #include "import/layouts/passes.h"
+#include "import/layouts/phrases.h"
 #include "import/layouts/sections.h"
 #include "tables/contenterror.h"
 
@@ -30,25 +34,52 @@ std::optional<double> lastNumber(std::string_view line) {
 }
 
 struct Header {
-    std::optional<double> spacing;
-    std::optional<double> start;
-    std::optional<double> end;
-    SaidUnit unit;
-    bool ended = false; ///< true: the table begins
+    std::optional<double> spacing = {};
+    std::optional<double> start = {};
+    std::optional<double> end = {};
+    std::optional<double> reference = {};
+    SaidUnit positionUnit = {};
+    SaidUnit resolution = {}; ///< the unit in which the values count
+    bool ended = false;       ///< true: the table begins
+    OtherLines others = {};
 };
 
-void readHead(std::string_view line, Header &header) {
-    if (containsWord(line, "Compensation spacing"))
-        header.spacing = lastNumber(line);
-    else if (containsWord(line, "Compensation start"))
-        header.start = lastNumber(line);
-    else if (containsWord(line, "Compensation end"))
-        header.end = lastNumber(line);
-    else if (containsWord(line, "Axis position"))
+/// The value of a resolution other than 1 is a factor of the readings.
+SaidUnit resolutionOf(std::string_view line) {
+    const std::string_view value = line.substr(std::min(line.find_first_of(":=") + 1, line.size()));
+    const SaidUnit said = saidUnit(line);
+    return said.unit && lastNumber(value) == 1 ? said : SaidUnit{nullptr, excerpt(line)};
+}
+
+void refuseIncrements(std::string_view line, std::size_t number) {
+    if (containsWord(line.substr(0, line.find_first_of(":=")), "calculation") &&
+        containsWord(line, "increment"))
+        refuseContentAt(placeOfLine(number),
+                        REPORT_TEXT("report", "the table holds increments from one position to the next, not "
+                                              "values at the positions; save it as an absolute table"));
+}
+
+void readHead(std::string_view line, std::size_t number, Header &header) {
+    struct Key {
+        const char *words;
+        std::optional<double> Header::*value;
+    };
+    constexpr std::array rows{
+        Key{"Compensation spacing", &Header::spacing}, Key{"Compensation start", &Header::start},
+        Key{"Compensation end", &Header::end}, Key{"Reference position", &Header::reference}};
+    refuseIncrements(line, number);
+    const auto *const key =
+        std::ranges::find_if(rows, [&](const Key &row) { return containsWord(line, row.words); });
+    const auto value = key == rows.end() ? std::nullopt : lastNumber(line);
+    if (value) {
+        header.*key->value = value;
+        header.positionUnit = unitOfBoth(header.positionUnit, saidUnit(line));
+    } else if (containsWord(line, "Compensation resolution")) {
+        header.resolution = resolutionOf(line);
+    } else if (containsWord(line, "Axis position")) {
         header.ended = true;
-    if (!header.ended && containsWord(line, "unit")) {
-        if (SaidUnit said = saidUnit(line); said.isSaid())
-            header.unit = std::move(said);
+    } else {
+        header.others.add(number, line);
     }
 }
 
@@ -65,11 +96,6 @@ bool isDamagedLine(std::string_view line) {
     return numbers >= 2;
 }
 
-bool isUnknown(std::string_view line) {
-    return !containsWord(line, "Compensation") && !containsWord(line, "unit") &&
-           !containsWord(line, "Axis position");
-}
-
 /// True if start and end are those of the table, in either order.
 bool agrees(const Header &header, double low, double high) {
     const bool startAgrees = !header.start ||
@@ -78,21 +104,18 @@ bool agrees(const Header &header, double low, double high) {
     return startAgrees && (!header.end || *header.end == high || *header.end == low);
 }
 
-/// Reads the table, and the lines above it into `header`. Remarks: damaged and missing lines, unknown texts.
-Pass readTable(Imported &imported, Header &header) {
+/// Reads the table, and the lines above it into `header`. Remarks: damaged and missing lines.
+Pass readTable(Imported &imported, DataNumbers &data, Header &header) {
     Pass pass;
     double lastNo = 0;
     bool follows = false; // a line that was read
-    QuotedLines unused;
     for (const auto &[whole, number] : linesOf(imported.text)) {
         const std::string_view line = withoutBlanks(whole);
         if (line.empty())
             continue;
-        readHead(line, header);
-        const auto numbers = numbersIn(line);
+        const auto numbers = header.ended ? data.in(line, number) : std::nullopt;
         if (!header.ended || (!numbers && !isDamagedLine(line))) {
-            if (isUnknown(line))
-                unused.add(number, line);
+            readHead(line, number, header);
             continue;
         }
         if (!numbers || numbers->size() != 3) {
@@ -110,23 +133,57 @@ Pass readTable(Imported &imported, Header &header) {
         follows = true;
         pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
     }
-    unused.remarkUnused(imported.remarks);
     return pass;
 }
 
-PassForm resolveForm(const Header &header, Choices &choices, Remarks &remarks) {
+SaidSign signOf(const FileNotes &notes) {
+    SaidSign said = notes.sign;
+    if (said.sign.empty() && containsWord(said.words, "error"))
+        said.sign = "actualMinusTarget";
+    else if (said.sign.empty() &&
+             (containsWord(said.words, "compens") || containsWord(said.words, "correct")))
+        said.sign = "targetMinusActual";
+    return said;
+}
+
+PassForm resolveForm(const Header &header, const FileNotes &notes, Choices &choices, Remarks &remarks) {
+    constexpr std::string_view usual = "targetMinusActual";
     PassForm form;
-    form.sign = choices.resolve("sign", "targetMinusActual", Origin::guessed).value;
-    const Unit *stated = header.unit.unit;
+    const SaidSign sign = signOf(notes);
+    if (sign.words.empty() || sign.sign == usual)
+        remarks.assumption(
+            "sign", REPORT_TEXT("report", "This is a compensation table, not a measurement: its values are "
+                                          "read with the opposite sign as deviations, to compare."));
+    form.sign = resolveSaidSign(sign, usual, Origin::guessed, choices, remarks);
+    const SaidUnit &position = header.positionUnit.isSaid() ? header.positionUnit : notes.positionUnit;
+    const bool isAngle = position.unit && position.unit->kind == UnitKind::angle;
+    const bool isScaled = !header.resolution.foreign.empty();
+    const SaidUnit &said = isScaled || !notes.unit.isSaid() ? header.resolution : notes.unit;
     form.unit = resolveUnit(
-        "unit", header.unit, stated && stated->kind == UnitKind::length ? stated : nullptr, *unitOf("um"),
+        "unit", said, said.unit && (isAngle || said.unit->kind == UnitKind::length) ? said.unit : nullptr,
+        *unitOf(isAngle ? "arcsec" : "um"),
         {REPORT_TEXT("report", "Unit of the compensation values: nothing in the file says it; read as %1.")},
         choices, remarks);
-    form.positionUnit = unitOf(
-        choices.resolve("positionUnit", form.unit->kind == UnitKind::angle ? "deg" : "mm", Origin::recognised)
-            .value);
+    form.positionUnit =
+        resolveStatedUnit("positionUnit", position,
+                          *unitOf(form.unit->kind == UnitKind::angle ? "deg" : "mm"), choices, remarks);
     requireOneMotion(form);
     return form;
+}
+
+/// The direction of the table; if a line names one, it is to be confirmed.
+Direction resolveDirection(const OtherLines &others, Choices &choices, Remarks &remarks) {
+    if (others.direction().empty() && !choices.isChosen("directions"))
+        return Direction::positive;
+    const bool isNegative = readHeading(others.direction()).direction == Direction::negative;
+    const auto choice = choices.resolve("directions", isNegative ? "negative" : "positive", Origin::guessed);
+    if (choice.origin == Origin::guessed)
+        remarks.problem("directions",
+                        choice.value == "negative"
+                            ? REPORT_TEXT("report", "Directions: the file says “%1”; read as ↓.")
+                            : REPORT_TEXT("report", "Directions: the file says “%1”; read as ↑."),
+                        excerpt(others.direction()));
+    return choice.value == "negative" ? Direction::negative : Direction::positive;
 }
 
 bool isRenText(QByteArrayView bytes) {
@@ -137,8 +194,9 @@ bool isRenText(QByteArrayView bytes) {
 
 void readRenText(const ImportSource &source, Choices &choices, Imported &imported) {
     imported.text = decodedText(source.bytes, choices, imported);
+    DataNumbers data(imported.text, choices);
     Header header;
-    const Pass pass = readTable(imported, header);
+    Pass pass = readTable(imported, data, header);
     if (pass.readings.empty())
         refuseContent(
             REPORT_TEXT("report", "there is no table of axis positions and compensation values in it"));
@@ -147,11 +205,16 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
         imported.remarks.problem(
             {},
             REPORT_TEXT("report", "Start and end of the head are not those of the table; the table counts."));
-    imported.remarks.assumption(
-        "sign", REPORT_TEXT("report", "This is a compensation table, not a measurement: its values are read "
-                                      "with the opposite sign as deviations, to compare."));
-    const PassForm form = resolveForm(header, choices, imported.remarks);
-    imported.test = testFrom(measurementOf({pass}, form, imported.remarks), "", choices);
+    const FileNotes notes = header.others.notes();
+    pass.direction = resolveDirection(header.others, choices, imported.remarks);
+    const PassForm form = resolveForm(header, notes, choices, imported.remarks);
+    header.others.askForKind(
+        {}, REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."),
+        imported.remarks);
+    imported.test =
+        testFrom(measurementOf({pass}, form, imported.remarks), notes.axis, choices, notes.edition);
+    data.remark(imported.remarks);
+    takeNotes(notes, imported);
     choices.resolve("kind", "positioning", Origin::recognised);
 }
 
