@@ -3,6 +3,8 @@
 #include "import/readers.h"
 
 #include "document/place.h"
+#include "import/instruments/datanumbers.h"
+#include "import/instruments/otherlines.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
 #include "tables/contenterror.h"
@@ -23,7 +25,7 @@ struct Assignment {
     std::string name;
     std::vector<long> indexes;
     std::string_view value;
-    std::size_t line = 1;
+    std::string_view comment;
 };
 
 /// `NAME[i,j]=value`; null for any other line.
@@ -34,8 +36,10 @@ std::optional<Assignment> assignmentOf(std::string_view line) {
     std::string_view left = withoutBlanks(line.substr(0, equals));
     Assignment result;
     result.value = withoutBlanks(line.substr(equals + 1));
-    if (const std::size_t comment = result.value.find(';'); comment != std::string_view::npos)
+    if (const std::size_t comment = result.value.find(';'); comment != std::string_view::npos) {
+        result.comment = withoutBlanks(result.value.substr(comment + 1));
         result.value = withoutBlanks(result.value.substr(0, comment));
+    }
     if (result.value.size() > 1 && result.value.front() == '"' && result.value.back() == '"')
         result.value = result.value.substr(1, result.value.size() - 2);
     if (left.ends_with(']')) {
@@ -60,57 +64,61 @@ std::optional<Assignment> assignmentOf(std::string_view line) {
     return result;
 }
 
-const char *unitWord(std::string_view text) {
-    const Unit *unit = unitIn("(" + std::string(text) + ")");
-    return unit ? unit->word : nullptr;
-}
-
 class IndexedReader {
 public:
     IndexedReader(Choices &choices, Imported &imported)
         : m_choices(choices)
-        , m(imported) {}
+        , m(imported)
+        , m_numbers(imported.text, choices) {}
 
     void read() {
         collect();
+        const FileNotes notes = m_others.notes();
         std::vector<Pass> passes = passesOf();
         m_choices.resolve("content", "positions", Origin::recognised);
-        const bool stated = m_unit != nullptr;
-        const auto choice =
-            m_choices.resolve("unit", stated ? m_unit : "mm", stated ? Origin::recognised : Origin::guessed);
-        if (choice.origin == Origin::guessed && !m_unknownUnit)
-            m.remarks.assumption(
-                "unit",
-                REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1."),
-                std::string(unitOf(choice.value)->sign));
         PassForm form;
         form.content = m_choices.isChosen("content") ? std::string(m_choices.chosen("content")) : "positions";
-        form.unit = unitOf(choice.value);
-        form.positionUnit =
-            unitOf(m_choices
-                       .resolve("positionUnit", choice.value,
-                                choice.origin == Origin::guessed ? Origin::guessed : Origin::recognised)
-                       .value);
+        form.unit = resolveUnit(
+            "unit", notes.unit, notes.unit.unit, *unitOf("mm"),
+            {REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1.")},
+            m_choices, m.remarks);
+        form.positionUnit = unitOf(
+            m_choices
+                .resolve("positionUnit", form.unit->word,
+                         notes.unit.unit || m_choices.isChosen("unit") ? Origin::recognised : Origin::guessed)
+                .value);
         requireOneMotion(form);
         form.sign = "actualMinusTarget";
-        m.test = testFrom(measurementOf(std::move(passes), form, m.remarks), m_axis, m_choices);
+        m_others.askForKind(
+            {}, REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."),
+            m.remarks);
+        m.test = testFrom(measurementOf(std::move(passes), form, m.remarks),
+                          m_axis.empty() ? notes.axis : m_axis, m_choices, notes.edition);
+        m_numbers.remark(m.remarks);
+        takeNotes(notes, m);
     }
 
 private:
     void collect() {
-        QuotedLines unused;
         for (const auto &[whole, number] : linesOf(m.text)) {
             const std::string_view line = withoutBlanks(whole);
-            if (line.empty() || line.front() == ';' || line.front() == '#' || line.starts_with("//") ||
-                line.front() == '[')
+            if (line.empty())
                 continue;
+            if (line.front() == ';' || line.front() == '#' || line.starts_with("//")) { // a comment
+                if (const std::size_t begin = line.find_first_not_of(";#/ \t"); begin < line.size())
+                    m_others.add(number, line.substr(begin));
+                continue;
+            }
             auto assignment = assignmentOf(line);
-            if (assignment && take(*assignment, number))
+            if (assignment && take(*assignment, number)) {
+                if (!assignment->comment.empty())
+                    m_others.add(number, assignment->comment);
                 continue;
+            }
             if (isOfData(line))
                 m.remarks.unlike(number);
             else
-                unused.add(number, line);
+                m_others.add(number, line);
         }
         if (m_targets.empty())
             refuseContent(REPORT_TEXT("report", "there are no target positions in it"));
@@ -118,7 +126,6 @@ private:
             m.remarks.problem(
                 {}, REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
                 counted(*m_positions), counted(m_targets.size()));
-        unused.remarkUnused(m.remarks);
     }
 
     /// True for a damaged target or reading: such a name, or a number with two indexes.
@@ -140,22 +147,22 @@ private:
         else if ((name == "REF_DATA_FWD" || name == "REF_DATA_BWD") && indexes == 2)
             takeReading(assignment, line);
         else if (name == "UNIT")
-            takeUnit(assignment, line);
+            m_others.add(line, "UNIT: " + std::string(assignment.value));
         else if (name == "POSITIONS")
             m_positions = numberOf(assignment, line);
         else if (name == "CYCLES")
             m_cycles = numberOf(assignment, line);
         else if (name == "AXIS")
-            m_axis = assignment.value;
+            takeAxis(assignment, line);
         else
             return false;
         return true;
     }
 
     std::optional<double> numberOf(const Assignment &assignment, std::size_t line) {
+        if (const auto number = m_numbers.one(assignment.value, line))
+            return number;
         const CellValue value = readCell(assignment.value, decimalMarkIn(assignment.value));
-        if (value.kind == CellKind::number)
-            return value.value;
         if (value.kind != CellKind::missing && value.kind != CellKind::empty)
             m.remarks.problem({"unread", line},
                               REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
@@ -180,12 +187,11 @@ private:
             remarkRepetition(assignment.name, line);
     }
 
-    void takeUnit(const Assignment &assignment, std::size_t line) {
-        m_unit = unitWord(assignment.value);
-        m_unknownUnit = !m_unit;
-        if (!m_unit) // nothing else in the file states it
-            m.remarks.problem({"unit", line}, REPORT_TEXT("report", "The unit “%1” is not known."),
-                              excerpt(assignment.value));
+    void takeAxis(const Assignment &assignment, std::size_t line) {
+        if (!m_axis.empty() && m_axis != assignment.value)
+            m.remarks.unlike(line);
+        else
+            m_axis = assignment.value;
     }
 
     void remarkRepetition(const std::string &name, std::size_t line) {
@@ -253,8 +259,8 @@ private:
     std::map<long, double> m_targets;
     std::map<std::pair<long, long>, std::pair<double, std::size_t>> m_forward;
     std::map<std::pair<long, long>, std::pair<double, std::size_t>> m_backward;
-    const char *m_unit = nullptr;
-    bool m_unknownUnit = false;
+    DataNumbers m_numbers;
+    OtherLines m_others;
     std::optional<double> m_positions;
     std::optional<double> m_cycles;
     std::string m_axis;

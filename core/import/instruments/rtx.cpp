@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
+#include "document/place.h"
+#include "import/instruments/otherlines.h"
 #include "import/layouts/sections.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
@@ -20,17 +22,25 @@ namespace {
 
 constexpr std::string_view dataMark = "Data:";
 constexpr double mostSamples = 1e7;
-constexpr std::array<std::string_view, 14> knownKeys{
-    "Owner", "Version no", "File Type", "Velocity", "Sample rate", "Sample no", "Actual sample rate",
-    "Flags", "Machine",    "Serial No", "Date",     "By",          "Axis",      "Location"};
+constexpr std::string_view headerKeys = "|owner|version no|file type|velocity|sample rate|sample no|actual "
+                                        "sample rate|flags|machine|serial no|date|by|"
+                                        "axis|location|title|";
 
-/// "10", "10.0 Hz"; null for "1x.0".
-std::optional<double> leadingNumberOf(std::optional<std::string_view> text) {
+/// "10", "10.0 Hz", "5 kHz"; null for "1x.0" and another unit.
+std::optional<double> rateOf(std::optional<std::string_view> text) {
     if (!text)
         return {};
     const LeadingNumber number = leadingNumber(*text, decimalMarkIn(*text));
-    const bool isWhole = number.size == text->size() || (*text)[number.size] == ' ';
-    return number.size > 0 && isWhole ? std::optional(number.value) : std::nullopt;
+    const std::string unit = lowerCase(withoutBlanks(text->substr(number.size)));
+    const bool isApart = number.size == text->size() || (*text)[number.size] == ' ' || unit.ends_with("hz");
+    constexpr std::string_view perSecond = "||hz|1/s|/s|samples/s|samples per second|";
+    if (number.size == 0 || !isApart)
+        return {};
+    if (unit == "khz")
+        return number.value * 1000;
+    if (perSecond.find('|' + unit + '|') == std::string_view::npos)
+        refuseContent(REPORT_TEXT("report", "the unit of the sample rate “%1” is not known"), excerpt(*text));
+    return number.value;
 }
 
 /// Number of samples, and samples per second.
@@ -40,11 +50,11 @@ struct Sampling {
 };
 
 Sampling samplingOf(const Section *header) {
-    const auto samples = header ? leadingNumberOf(header->value("Sample no")) : std::nullopt;
+    const auto samples = header ? numberIn(header->value("Sample no").value_or("")) : std::nullopt;
     const auto actual = header ? header->value("Actual sample rate") : std::nullopt;
-    auto rate = leadingNumberOf(actual);
+    auto rate = rateOf(actual);
     if (!actual || (rate && !(*rate > 0)))
-        rate = header ? leadingNumberOf(header->value("Sample rate")) : std::nullopt;
+        rate = header ? rateOf(header->value("Sample rate")) : std::nullopt;
     const double count = samples.value_or(0);
     if (!(count >= 2) || count != std::floor(count))
         refuseContent(REPORT_TEXT("report", "the number of samples is missing in the head"));
@@ -95,6 +105,29 @@ void remarkEnd(std::string_view rest, const Sampling &sampling, Remarks &remarks
                         counted(sampling.count), counted(sampling.count + further));
 }
 
+std::vector<const SectionLine *> linesWithoutField(const std::vector<Section> &sections) {
+    std::vector<const SectionLine *> lines;
+    for (const Section &section : sections) {
+        for (const SectionLine &line : section.lines) {
+            const bool isField = sameWord(section.name, "HEADER") || sameWord(line.key, "TITLE");
+            const bool isFirst = section.value(line.key) == line.value;
+            const bool isKnown = isField && isFirst &&
+                                 headerKeys.find('|' + lowerCase(line.key) + '|') != std::string_view::npos;
+            if (!isKnown && !line.value.empty())
+                lines.push_back(&line);
+        }
+    }
+    return lines;
+}
+
+std::string titleOf(const std::vector<Section> &sections) {
+    for (const Section &section : sections) {
+        if (const auto title = section.value("TITLE"))
+            return std::string(*title);
+    }
+    return {};
+}
+
 bool isRtx(QByteArrayView bytes) {
     const std::string_view start(bytes.data(),
                                  static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 16'384)));
@@ -116,9 +149,20 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     const Sampling sampling = samplingOf(header);
     const std::string_view samples = samplesBehind(all, mark, sampling.count);
     const std::string type = text("File Type");
-    const bool angular = choices.isChosen("unit") ? unitOf(choices.chosen("unit"))->kind == UnitKind::angle
-                                                  : sameWord(std::string_view(type).substr(0, 3), "ang");
-    const Unit *unit = unitOf(choices.resolve("unit", angular ? "mrad" : "mm", Origin::recognised).value);
+    OtherLines others;
+    for (const SectionLine *line : linesWithoutField(sections))
+        others.list(line->line,
+                    std::string(line->key) + (line->key.empty() ? "" : ": ") + std::string(line->value));
+    const FileNotes notes = others.notes();
+    const bool angular = isRotaryType(type) || sameWord(std::string_view(type).substr(0, 3), "ang");
+    const Unit *unit =
+        resolveFixedUnit("unit", notes.unit, *unitOf(angular ? "mrad" : "mm"), choices, imported.remarks);
+    const Text question = REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a drift test.");
+    const std::string title = titleOf(sections);
+    if (isKnownType(type))
+        others.askForKind(title, question, imported.remarks);
+    else
+        imported.remarks.problem("kind", question, excerpt(type));
     DriftMeasurement drift;
     drift.axis.name = choices.resolve("axis", text("Axis"), Origin::recognised).value;
     drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
@@ -126,13 +170,8 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     remarkEnd(samples.substr(sampling.count * sizeof(double)), sampling, imported.remarks);
     imported.remarks.note({}, REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
                           counted(sampling.count), Number{drift.times.back(), Quantity::time});
-    QuotedLines unused;
-    for (const SectionLine &line : header->lines) {
-        if (std::ranges::none_of(knownKeys, [&](std::string_view key) { return sameWord(line.key, key); }))
-            unused.add(line.line, line.key);
-    }
-    unused.remarkUnused(imported.remarks);
     Test test;
+    test.title = title;
     const std::string date = text("Date");
     takeDate(isoDate(date), date, test, imported.remarks);
     test.measurement = std::move(drift);
@@ -141,6 +180,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     imported.machine.serialNumber = text("Serial No");
     imported.machine.location = text("Location");
     imported.operatorName = text("By");
+    takeNotes(notes, imported);
     choices.resolve("kind", "drift", Origin::recognised);
 }
 
