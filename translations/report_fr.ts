@@ -2566,8 +2566,8 @@
         <translation>Résultats du logiciel de l’instrument&#xa0;: %1&#x202f;; ils sont montrés à côté des nôtres.</translation>
     </message>
     <message>
-        <source>Elements that are not known and were not read: %1.</source>
-        <translation>Éléments inconnus, non lus&#xa0;: %1.</translation>
+        <source>Elements that were not read: %1.</source>
+        <translation>Éléments non lus&#xa0;: %1.</translation>
     </message>
     <message>
         <source>%1 cannot be %2 for a circular test</source>

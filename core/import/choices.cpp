@@ -146,7 +146,7 @@ const auto keys = std::to_array<ImportKey>({
     {"feed", REPORT_TEXT("report", "Feed (mm/min)"), ImportValue::number},
     {"startAngle", REPORT_TEXT("report", "Start angle (°)"), ImportValue::number, {}, Asked::guess},
     {"arc", REPORT_TEXT("report", "Arc (°)"), ImportValue::number, {}, Asked::guess},
-    {"overshoot", REPORT_TEXT("report", "Angular overshoot (°)"), ImportValue::number},
+    {"overshoot", REPORT_TEXT("report", "Angular overshoot (°)"), ImportValue::number, {}, Asked::guess},
     {"angleReference", REPORT_TEXT("report", "Angles"), ImportValue::word, referenceWords},
     {"calibrated", REPORT_TEXT("report", "Length calibrated"), ImportValue::word, calibratedWords},
     {"correctionTo20", REPORT_TEXT("report", "Correction to 20 °C"), ImportValue::word, correctionWords,

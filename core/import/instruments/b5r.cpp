@@ -3,16 +3,18 @@
 #include "import/readers.h"
 
 #include "document/place.h"
+#include "import/instruments/ballbarelements.h"
+#include "import/instruments/otherlines.h"
 #include "import/layouts/arcs.h"
 #include "import/layouts/sections.h"
 #include "tables/contenterror.h"
+#include "tables/dates.h"
 #include "tables/decodetext.h"
 #include "tables/numbercell.h"
 #include "tables/units.h"
 
 #include <QDate>
 #include <QRegularExpression>
-#include <QSet>
 #include <QTime>
 #include <QXmlStreamReader>
 #include <algorithm>
@@ -24,36 +26,7 @@ namespace {
 
 constexpr int deepest = 64;
 constexpr qsizetype longestText = qsizetype(1) << 28;
-constexpr int mostUnknown = 12;
 constexpr std::size_t mostReadings = 10'000'000;
-
-/// Units of the attribute DT.
-struct TypeUnit {
-    const char *type = nullptr;
-    const char *unit = nullptr; ///< for display
-    double multiplier = 1;      ///< for lengths: to mm
-    double divisor = 1;
-    bool isLength = false; ///< false: for display only
-};
-constexpr std::array typeUnits{
-    TypeUnit{"UT_LENGTH_MM", "mm", 1, 1, true},
-    TypeUnit{"UT_LENGTH_UM", "µm", 1, 1000, true},
-    TypeUnit{"UT_LENGTH_M", "m", 1000, 1, true},
-    TypeUnit{"UT_FEEDRATE", "mm/min"},
-    TypeUnit{"UT_SQUARENESS", "µm/m"},
-    TypeUnit{"UT_SERVO_MISMATCH", "ms"},
-    TypeUnit{"UT_SCALE_ERROR", "ppm"},
-    TypeUnit{"UT_ANGLE", "°"},
-    TypeUnit{"UT_SPEED", "mm/min"},
-    TypeUnit{"UT_PERCENT", "%"},
-    TypeUnit{"UT_RANKING", ""},
-};
-
-const TypeUnit *typeUnit(QStringView type) {
-    const auto *const found = std::ranges::find_if(
-        typeUnits, [&](const TypeUnit &row) { return type == QLatin1StringView(row.type); });
-    return found == typeUnits.end() ? nullptr : found;
-}
 
 std::optional<double> numberOf(const QString &text) {
     return numberIn(text.trimmed().toStdString());
@@ -62,15 +35,8 @@ std::optional<double> numberOf(const QString &text) {
 struct BallbarRun {
     std::optional<Sense> sense;
     std::vector<double> readings;
+    QString type; ///< DT of the readings
 };
-
-/// The encoding that the XML declaration names; empty: none, or not in ASCII.
-QString declaredEncoding(QByteArrayView bytes) {
-    constexpr qsizetype longestDeclaration = 256;
-    static const QRegularExpression declared(QStringLiteral("^[^>]*encoding\\s*=\\s*[\"']([^\"'>]+)"));
-    const QString begin = QString::fromLatin1(bytes.first(std::min(bytes.size(), longestDeclaration)));
-    return declared.match(begin).captured(1);
-}
 
 class BallbarReader {
 public:
@@ -139,8 +105,14 @@ private:
             return attributes.value(QLatin1StringView(key)).toString();
         };
         m_path << name;
+        if (name == QLatin1StringView("TEST_SPEC"))
+            m_tests.push_back(std::to_string(m_xml.lineNumber()) + " (" +
+                              excerpt(attribute("NAME").toStdString()) + ')');
+        if (!isOfTest())
+            return;
         m_type = attribute("DT");
         m_feature = attribute("NAME");
+        m_others.addAttributes(name, attributes);
         if (name == QLatin1StringView("TEST_SPEC")) {
             m_testName = m_feature;
         } else if (name == QLatin1StringView("INSTRUMENT")) {
@@ -155,28 +127,23 @@ private:
             m_runs.emplace_back();
         } else if (name == QLatin1StringView("ANALYSIS")) {
             m_analysis = m_feature;
-        } else if (!isKnown(name) && m_unknown.size() < 1000) {
-            m_unknown.insert(name);
         }
     }
 
-    [[nodiscard]] static bool isKnown(const QString &name) {
-        static const QSet<QString> known{
-            QStringLiteral("TEST_DOCUMENT"),  QStringLiteral("DYNAMIC_BALLBAR"),
-            QStringLiteral("NOMINAL_LENGTH"), QStringLiteral("PROGRAMMED_FEEDRATE"),
-            QStringLiteral("A_AXIS_NAME"),    QStringLiteral("B_AXIS_NAME"),
-            QStringLiteral("OPERATOR"),       QStringLiteral("DATE_STARTED"),
-            QStringLiteral("SERIAL_NUMBER"),  QStringLiteral("LAST_CALIBRATED"),
-            QStringLiteral("PART_NUMBER"),    QStringLiteral("RUN_RESULTS"),
-            QStringLiteral("RUN_DIRECTION"),  QStringLiteral("READINGS"),
-            QStringLiteral("FEATURE")};
-        return known.contains(name);
+    /// True within the test that is read, or before all tests.
+    [[nodiscard]] bool isOfTest() const {
+        return m_tests.empty() ||
+               static_cast<double>(m_tests.size()) == m_choices.chosenNumber("table").value_or(1);
     }
 
     void end(const QString &text) {
         const QString name = m_path.isEmpty() ? QString() : m_path.takeLast();
         const std::string value = text.trimmed().toStdString();
-        if (name == QLatin1StringView("NOMINAL_LENGTH"))
+        if (!isOfTest())
+            return;
+        if (!BallbarElements::isKnown(name))
+            m_others.add(name, text.trimmed(), m_type);
+        else if (name == QLatin1StringView("NOMINAL_LENGTH"))
             takeLength(text);
         else if (name == QLatin1StringView("PROGRAMMED_FEEDRATE"))
             takeFeed(text);
@@ -192,7 +159,7 @@ private:
             (m_path.contains(QLatin1StringView("MACHINE_TESTED")) ? m.machine.serialNumber
                                                                   : m_instrument.serialNumber) = value;
         else if (name == QLatin1StringView("LAST_CALIBRATED"))
-            m_instrument.calibrationDate = isoDate(text.trimmed());
+            takeCalibration(name, text.trimmed());
         else if (name == QLatin1StringView("RUN_DIRECTION"))
             setDirection(text.trimmed());
         else if (name == QLatin1StringView("READINGS"))
@@ -226,9 +193,17 @@ private:
                           excerpt(m_type.toStdString()));
     }
 
-    [[nodiscard]] static std::optional<std::string> isoDate(const QString &text) {
+    /// "20260312-102530", or a date as people write it.
+    [[nodiscard]] static std::optional<std::string> dayIn(const QString &text) {
         const QDate date = QDate::fromString(text.left(8), QStringLiteral("yyyyMMdd"));
-        return date.isValid() ? std::optional(date.toString(Qt::ISODate).toStdString()) : std::nullopt;
+        return date.isValid() ? std::optional(date.toString(Qt::ISODate).toStdString())
+                              : isoDate(text.toStdString());
+    }
+
+    void takeCalibration(const QString &name, const QString &text) {
+        m_instrument.calibrationDate = dayIn(text);
+        if (!m_instrument.calibrationDate && !text.isEmpty())
+            m_others.add(name, text, m_type);
     }
 
     void setDirection(const QString &text) {
@@ -245,10 +220,15 @@ private:
     }
 
     void takeReadings(std::string_view text) {
-        if (m_runs.empty())
+        if (m_runs.empty()) {
+            m.remarks.unlike(static_cast<std::size_t>(m_xml.lineNumber()));
             return;
-        m_readingType = m_type;
+        }
         std::vector<double> &readings = m_runs.back().readings;
+        if (readings.empty())
+            m_runs.back().type = m_type;
+        else if (m_runs.back().type != m_type)
+            m_runs.back().type += QStringLiteral(", ") + m_type;
         for (std::string_view rest = withoutBlanks(text); !rest.empty(); rest = withoutBlanks(rest)) {
             const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
             const std::string_view word = rest.substr(0, end);
@@ -267,7 +247,10 @@ private:
 
     void takeFeature(const QString &text) {
         const auto number = numberOf(text);
-        if (!number || m_feature.isEmpty() || m_results.size() > 10'000)
+        const bool isRead = number && !m_feature.isEmpty() && m_results.size() <= 10'000;
+        if (!isRead || BallbarElements::isAngle(m_feature))
+            m_others.add(m_feature, text.trimmed(), m_type);
+        if (!isRead)
             return;
         const TypeUnit *unit = typeUnit(m_type);
         const QString head = m_path.contains(QLatin1StringView("ANALYSIS")) && !m_analysis.isEmpty()
@@ -278,6 +261,7 @@ private:
     }
 
     void compose() {
+        (void)resolveMeasurement(m_tests, m_choices, m.remarks);
         std::erase_if(m_runs, [](const BallbarRun &run) { return run.readings.empty(); });
         if (m_runs.empty())
             refuseContent(REPORT_TEXT("report", "there are no readings of a ballbar in it"));
@@ -295,14 +279,10 @@ private:
         resolveReadings(measurement);
         composeArcs(measurement);
         test.title = m_testName.toStdString();
-        if (const auto date = isoDate(m_date)) {
-            test.date = date;
-            const QTime clock = QTime::fromString(m_date.mid(9, 4), QStringLiteral("HHmm"));
-            if (clock.isValid())
-                test.time = clock.toString(QStringLiteral("HH:mm")).toStdString();
-        } else if (!m_date.isEmpty()) {
-            test.remarks = m_date.toStdString();
-        }
+        takeDate(dayIn(m_date), m_date.toStdString(), test, m.remarks);
+        const QTime clock = QTime::fromString(m_date.mid(9, 4), QStringLiteral("HHmm"));
+        if (test.date && clock.isValid())
+            test.time = clock.toString(QStringLiteral("HH:mm")).toStdString();
         if (!m_results.empty()) {
             ImportedFile file;
             file.results = m_results;
@@ -312,15 +292,7 @@ private:
                                                  "instrument's own program: %1; they are shown beside ours."),
                            counted(m_results.size()));
         }
-        if (!m_unknown.isEmpty()) {
-            QStringList names(m_unknown.begin(), m_unknown.end());
-            names.sort();
-            QString list = names.mid(0, mostUnknown).join(QStringLiteral(", "));
-            if (names.size() > mostUnknown)
-                list += QStringLiteral(", …");
-            m.remarks.note({}, REPORT_TEXT("report", "Elements that are not known and were not read: %1."),
-                           excerpt(list.toStdString()));
-        }
+        m_others.remark(m.remarks);
         m_instrument.description = "ballbar";
         m.instruments = {m_instrument};
         test.measurement = std::move(measurement);
@@ -352,8 +324,31 @@ private:
             .answers = {axes, test};
     }
 
+    /// The DT of all readings; runs in several units are converted to mm.
+    QString typeOfReadings() {
+        QStringList types;
+        for (const BallbarRun &run : m_runs)
+            types << (run.type.isEmpty() ? QStringLiteral("–") : run.type);
+        types.removeDuplicates();
+        if (types.size() == 1)
+            return m_runs.front().type;
+        const auto isLength = [](const BallbarRun &run) {
+            const TypeUnit *unit = typeUnit(run.type);
+            return unit && unit->isLength;
+        };
+        if (!std::ranges::all_of(m_runs, isLength))
+            return types.join(QStringLiteral(", "));
+        for (BallbarRun &run : m_runs) {
+            const TypeUnit &unit = *typeUnit(run.type);
+            for (double &value : run.readings)
+                value = value * unit.multiplier / unit.divisor;
+        }
+        return QStringLiteral("UT_LENGTH_MM");
+    }
+
     /// The unit of the readings: their DT; without it guessed from their size, with a remark.
     void resolveReadings(const CircularMeasurement &measurement) {
+        const QString type = typeOfReadings();
         double largest = 0;
         std::vector<double> sizes;
         for (const BallbarRun &run : m_runs) {
@@ -364,11 +359,11 @@ private:
         }
         std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
         const double median = sizes[sizes.size() / 2];
-        const TypeUnit *row = typeUnit(m_readingType);
+        const TypeUnit *row = typeUnit(type);
         const TypeUnit *said = row && row->isLength ? row : nullptr;
-        if (!said && !m_readingType.isEmpty())
+        if (!said && !type.isEmpty())
             m.remarks.problem("unit", REPORT_TEXT("report", "The unit “%1” is not known."),
-                              excerpt(m_readingType.toStdString()));
+                              excerpt(type.toStdString()));
         const Origin origin = said ? Origin::recognised : Origin::guessed;
         const double inBase = said ? median * said->multiplier / said->divisor : median;
         const bool absolute = std::abs(inBase - measurement.nominalRadius) < 0.05 * measurement.nominalRadius;
@@ -424,27 +419,39 @@ private:
         return path;
     }
 
+    /// Runs of one feed have as many readings if their arcs are as long.
+    void askForLengths(const Choice<double> &arc) {
+        constexpr double mostUnlike = 1.05;
+        const auto size = [](const BallbarRun &run) { return run.readings.size(); };
+        const auto [few, many] = std::ranges::minmax_element(m_runs, {}, size);
+        if (arc.origin == Origin::guessed &&
+            static_cast<double>(size(*many)) > mostUnlike * static_cast<double>(size(*few)))
+            m.remarks.problem("arc",
+                              REPORT_TEXT("report",
+                                          "Arc: the runs have %1 and %2 readings, so one may be of a "
+                                          "shorter arc; %3 is assumed for each."),
+                              counted(size(*few)), counted(size(*many)), Number{arc.value, Quantity::angle});
+    }
+
     void composeArcs(CircularMeasurement &measurement) {
         static const QRegularExpression degrees(QStringLiteral("(\\d{2,3}(?:\\.\\d+)?)\\s*(?:°|deg)"),
                                                 QRegularExpression::CaseInsensitiveOption);
         const auto match = degrees.match(m_testName);
         const double named = match.hasMatch() ? match.captured(1).toDouble() : 360;
-        const Choice<double> arc =
-            m_choices.resolveNumber("arc", named > 0 && named <= 720 ? named : 360, Origin::guessed);
-        const Choice<double> start = m_choices.resolveNumber("startAngle", 0, Origin::guessed);
-        const Choice<double> overshoot = m_choices.resolveNumber("overshoot", 0, Origin::recognised);
+        const Choice<double> arc = m_others.resolveAngle(
+            "arc", named > 0 && named <= 720 ? named : 360,
+            REPORT_TEXT("report", "Arc: the file has no angles; %1 at constant feed are assumed."), m_choices,
+            m.remarks);
+        const Choice<double> start = m_others.resolveAngle(
+            "startAngle", 0,
+            REPORT_TEXT("report", "Start angle: taken as %1. A wrong one turns squareness into "
+                                  "scale mismatch."),
+            m_choices, m.remarks);
+        const Choice<double> overshoot = m_others.resolveAngle("overshoot", 0, {}, m_choices, m.remarks);
         if (!(arc.value > 0) || arc.value > 36'000 || overshoot.value < 0 || overshoot.value > 3600 ||
             std::abs(start.value) > 36'000)
             refuseContent(REPORT_TEXT("report", "start angle, arc or overshoot is beyond sense"));
-        if (arc.origin == Origin::guessed)
-            m.remarks.assumption(
-                "arc", REPORT_TEXT("report", "Arc: the file has no angles; %1 at constant feed are assumed."),
-                Number{arc.value, Quantity::angle});
-        if (start.origin == Origin::guessed)
-            m.remarks.assumption("startAngle",
-                                 REPORT_TEXT("report", "Start angle: taken as %1. A "
-                                                       "wrong one turns squareness into scale mismatch."),
-                                 Number{start.value, Quantity::angle});
+        askForLengths(arc);
         for (const BallbarRun &run : m_runs) {
             if (run.sense)
                 measurement.arcs.push_back(
@@ -463,7 +470,6 @@ private:
     Imported &m;
     QStringList m_path;
     QString m_type;
-    QString m_readingType; ///< DT of the readings
     QString m_feature;
     QString m_analysis;
     QString m_testName;
@@ -476,24 +482,12 @@ private:
     std::vector<BallbarRun> m_runs;
     std::vector<ImportedResult> m_results;
     Instrument m_instrument;
-    QSet<QString> m_unknown;
+    std::vector<std::string> m_tests; ///< line and name of each
+    BallbarElements m_others;
     bool m_absolute = false;
     bool m_inverted = false;
     const Unit *m_unit = nullptr;
 };
-
-void remarkEncoding(QByteArrayView bytes, Imported &imported) {
-    QString encoding = declaredEncoding(bytes);
-    if (encoding.isEmpty()) { // in UTF-16
-        constexpr qsizetype longestDeclaration = 512;
-        QXmlStreamReader xml(bytes.first(std::min(bytes.size(), longestDeclaration)).toByteArray());
-        xml.readNext();
-        encoding = xml.documentEncoding().toString();
-    }
-    if (!encoding.isEmpty() && encoding.compare(u"UTF-8", Qt::CaseInsensitive) != 0)
-        imported.remarks.note({}, REPORT_TEXT("report", "Encoding: %1, as the file says."),
-                              excerpt(encoding.toStdString()));
-}
 
 bool isBallbarXml(QByteArrayView bytes) {
     const QByteArrayView start = bytes.first(std::min<qsizetype>(bytes.size(), 1 << 16));
@@ -506,7 +500,7 @@ bool isBallbarXml(QByteArrayView bytes) {
 
 void readBallbarXml(const ImportSource &source, Choices &choices, Imported &imported) {
     BallbarReader(source.bytes, choices, imported).read();
-    remarkEncoding(source.bytes, imported);
+    remarkEncoding(source.bytes, imported.remarks);
     try {
         imported.text = decodeText(source.bytes).text;
     } catch (const Error &) {
