@@ -3314,8 +3314,8 @@
         <translation>%1&#xa0;: le fichier indique «&#xa0;%2&#xa0;» dans un élément inconnu&#x202f;; lu comme %3.</translation>
     </message>
     <message>
-        <source>Arc: the runs have %1 and %2 readings, so one may be of a shorter arc; %3 is assumed for each.</source>
-        <translation>Arc&#xa0;: les passes comptent %1 et %2 relevés, l’une est peut-être d’un arc plus court&#x202f;; %3 est supposé pour chacune.</translation>
+        <source>Arc: readings of the runs: %1 to %2, so one may be of a shorter arc; %3 is assumed for each.</source>
+        <translation>Arc&#xa0;: relevés par passe&#xa0;: de %1 à %2, l’une est peut-être d’un arc plus court&#x202f;; %3 est supposé pour chacune.</translation>
     </message>
     <message>
         <source>The section %1 is not known and was not read.</source>

@@ -427,9 +427,8 @@ private:
         if (arc.origin == Origin::guessed &&
             static_cast<double>(size(*many)) > mostUnlike * static_cast<double>(size(*few)))
             m.remarks.problem("arc",
-                              REPORT_TEXT("report",
-                                          "Arc: the runs have %1 and %2 readings, so one may be of a "
-                                          "shorter arc; %3 is assumed for each."),
+                              REPORT_TEXT("report", "Arc: readings of the runs: %1 to %2, so one may be of a "
+                                                    "shorter arc; %3 is assumed for each."),
                               counted(size(*few)), counted(size(*many)), Number{arc.value, Quantity::angle});
     }
 
