@@ -8434,8 +8434,8 @@
         <translation>Sens&#xa0;: %1 dans leur colonne désigne ↑ et %2 ↓, d’après l’ordre des points visés.</translation>
     </message>
     <message>
-        <source>Directions: nothing says which of the numbers in their column is ↑, or the order of the targets contradicts it; %1 is read as ↑, %2 as ↓.</source>
-        <translation>Sens&#xa0;: rien ne dit lequel des nombres de leur colonne désigne ↑, ou l’ordre des points visés le contredit&#x202f;; %1 est lu comme ↑, %2 comme ↓.</translation>
+        <source>Directions: nothing says which of the entries in their column is ↑, or the order of the targets contradicts it; %1 is read as ↑, %2 as ↓.</source>
+        <translation>Sens&#xa0;: rien ne dit laquelle des indications de leur colonne désigne ↑, ou l’ordre des points visés le contredit&#x202f;; %1 est lu comme ↑, %2 comme ↓.</translation>
     </message>
     <message>
         <source>Lines of one test</source>
@@ -8641,6 +8641,54 @@
     <message>
         <source>Directions: the file says clockwise or counterclockwise, not which of them is positive; clockwise is read as ↑.</source>
         <translation>Sens&#xa0;: le fichier indique le sens horaire ou antihoraire, mais non lequel est positif&#x202f;; le sens horaire est lu comme ↑.</translation>
+    </message>
+    <message>
+        <source>State: as left, as “%1” says.</source>
+        <translation>État&#xa0;: après réglage, selon «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>State: as found, as “%1” says.</source>
+        <translation>État&#xa0;: avant réglage, selon «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Columns: “%1” is headed as directions, but its cells name none that is known; it is not read.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» annonce des sens, mais ses cellules n’en nomment aucun de connu&#x202f;; elle n’est pas lue.</translation>
+    </message>
+    <message>
+        <source>Directions: the file says “%1”; ↑ and ↓ are read as the runs are called.</source>
+        <translation>Sens&#xa0;: le fichier dit «&#xa0;%1&#xa0;»&#x202f;; ↑ et ↓ sont lus selon le nom des passes.</translation>
+    </message>
+    <message>
+        <source>as the file says, the points in the opposite order</source>
+        <translation>selon le fichier, les points dans l’ordre inverse</translation>
+    </message>
+    <message>
+        <source>as the angles run</source>
+        <translation>dans l’ordre des angles</translation>
+    </message>
+    <message>
+        <source>the angles count clockwise</source>
+        <translation>les angles sont comptés dans le sens horaire</translation>
+    </message>
+    <message>
+        <source>Columns: the headings do not say which holds the angles; “%1” is read as such.</source>
+        <translation>Colonnes&#xa0;: les en-têtes ne disent pas laquelle contient les angles&#x202f;; «&#xa0;%1&#xa0;» est lue comme telle.</translation>
+    </message>
+    <message>
+        <source>Sense: the file says “%1”; the points are read as their angles run.</source>
+        <translation>Sens&#xa0;: le fichier dit «&#xa0;%1&#xa0;»&#x202f;; les points sont lus dans l’ordre de leurs angles.</translation>
+    </message>
+    <message>
+        <source>Columns: “%1” says something else than “%2”, which is read.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» dit autre chose que «&#xa0;%2&#xa0;», qui est lue.</translation>
+    </message>
+    <message>
+        <source>Unit: the lines above the blocks of numbers name several; all are read in one.</source>
+        <translation>Unité&#xa0;: les lignes au-dessus des blocs de nombres en nomment plusieurs&#x202f;; tous sont lus dans une seule.</translation>
+    </message>
+    <message>
+        <source>Lines: those above the blocks of numbers name several tests (%1); the blocks of “%2” are read.</source>
+        <translation>Lignes&#xa0;: celles au-dessus des blocs de nombres nomment plusieurs essais (%1)&#x202f;; les blocs de «&#xa0;%2&#xa0;» sont lus.</translation>
     </message>
     <message>
         <source>Columns that look like readings and are not read: %1.</source>

@@ -395,8 +395,8 @@ std::string textOf(std::span<const LabelledValue> line) {
 
 /// "Forward", "ccw", "As found" above a block.
 bool isTitle(std::string_view text) {
-    const HeadingWords words = readHeading(text);
-    return senseIn(text) || words.direction || words.state != TestRole::notStated;
+    const HeadingWords words = readTitle(text);
+    return words.isTitle() && (words.namesSense || words.direction || words.state != TestRole::notStated);
 }
 
 /// Takes what a line says; returns the text of what is left.

@@ -114,7 +114,8 @@ constexpr std::array phrases{
     Phrases{Meaning::run, Sign::test, "en: test|fr: essai|it: prova|es: ensayo"},
     Phrases{Meaning::direction, Sign::none,
             "en fr: direction|*: dir|en: approach|sense|fr: sens|approche|de: richtung|anfahrrichtung|"
-            "fahrtrichtung|anfahrt|it: direzione|senso|verso|es: sentido|direccion|cs pl ru zh ja: směr|"
+            "fahrtrichtung|verfahrrichtung|anfahrt|it: direzione|senso|verso|es: sentido|direccion|cs pl ru "
+            "zh ja: směr|"
             "kierunek|направление|方向"},
     Phrases{Meaning::time, Sign::none,
             "en: time|elapsed|timestamp|fr: temps|heure|duree|horodatage|de: zeit|uhrzeit|zeitstempel|it: "
@@ -143,21 +144,28 @@ constexpr std::array phrases{
             "row|line|en fr: point|points|it es: punto"},
     Phrases{Meaning::axis, Sign::none, "en: axis|fr: axe|de: achse|it: asse|es: eje"},
     Phrases{Meaning::process, Sign::none, "*: pv"},
-    Phrases{Meaning::unknown, Sign::filler,
-            "en: value|values|data|positioning|positional|of|the|to|travel|movement|ve|en es: angular|fr: "
-            "angulaire|angulaires|valeur|d|du|positionnement|lineaire|it: angolare|angolari|valore|di|"
-            "posizionamento|lineare|de: wert|der|die|lineare|es: valor|º|posicionamiento|lineal|*: laser|"
-            "linear|radial|radiale|in|fr es: de|en|fr it: l|fr it es: la|it es: del"},
+    Phrases{
+        Meaning::unknown, Sign::filler,
+        "en: value|values|data|positioning|positional|of|the|to|up to|travel|movement|ve|en es: angular|fr: "
+        "angulaire|angulaires|valeur|d|du|positionnement|lineaire|it: angolare|angolari|valore|di|"
+        "posizionamento|lineare|de: wert|der|die|lineare|es: valor|º|posicionamiento|lineal|*: laser|"
+        "linear|radial|radiale|in|fr es: de|en|fr it: l|fr it es: la|it es: del"},
     Phrases{Meaning::unknown, Sign::found,
-            "en: as found|before|before adjustment|before compensation|before correction|fr: etat initial|"
+            "en: as found|before adjustment|before compensation|before correction|fr: etat initial|"
             "tel que trouve|avant reglage|avant compensation|avant correction|de: vorgefunden|wie "
-            "vorgefunden|vor justage|vor justierung|vor einstellung|vor kompensation|vor korrektur|it es: "
-            "prima|antes"},
+            "vorgefunden|vor justage|vor justierung|vor einstellung|vor kompensation|vor korrektur|it: "
+            "prima della regolazione|prima della compensazione|es: antes del ajuste|antes de la "
+            "compensacion"},
     Phrases{Meaning::unknown, Sign::left,
-            "en: as left|after|after adjustment|after compensation|after correction|fr: etat final|tel que "
-            "laisse|apres|apres reglage|apres compensation|apres correction|de: hinterlassen|wie "
-            "hinterlassen|nach justage|nach justierung|nach einstellung|nach kompensation|nach korrektur|it "
-            "es: dopo|despues"},
+            "en: as left|after adjustment|after compensation|after correction|fr: etat final|tel que "
+            "laisse|apres reglage|apres compensation|apres correction|de: hinterlassen|wie "
+            "hinterlassen|nach justage|nach justierung|nach einstellung|nach kompensation|nach korrektur|it: "
+            "dopo la regolazione|dopo la compensazione|es: despues del ajuste|despues de la compensacion"},
+    // "Vor" and "avant" alone are directions.
+    Phrases{
+        Meaning::unknown, Sign::none,
+        "de: vor messung|vor lauf|vor test|vor dem|vor der|fr: avant essai|avant mesure|avant passe|avant "
+        "l|avant le|avant la"},
     Phrases{Meaning::unknown, Sign::from, "en de fr es it: from|von|depuis|desde|da|dal|dalla"},
 };
 
@@ -320,6 +328,7 @@ public:
             m_hintUp = m_letterUp;
             m_hintDown = m_letterDown;
         }
+        m.namesBoth = m_up && m_down;
         if (m_up != m_down)
             m.direction = m_up ? Direction::positive : Direction::negative;
         if (m_dash && !m_up && !m_down)   // otherwise it separates words: "Run 2 - forward"
@@ -336,6 +345,8 @@ public:
         m.saysDirection = has(Meaning::direction);
         if (has(Meaning::target) && has(Meaning::radius))
             m.meaning = Meaning::nominal;
+        if (m_found != m_left)
+            m.state = m_found ? TestRole::asFound : TestRole::asLeft;
         return m;
     }
 
@@ -397,8 +408,8 @@ private:
         m_hintUp |= phrase.sign == Sign::hintUp;
         m_hintDown |= phrase.sign == Sign::hintDown;
         m_dash |= phrase.sign == Sign::down && token.isWeak;
-        if (phrase.sign == Sign::found || phrase.sign == Sign::left)
-            m.state = phrase.sign == Sign::found ? TestRole::asFound : TestRole::asLeft;
+        m_found |= phrase.sign == Sign::found;
+        m_left |= phrase.sign == Sign::left;
         m.isTest |= phrase.sign == Sign::test;
         if (phrase.meaning != Meaning::unknown)
             m_meanings.push_back(phrase.meaning);
@@ -450,6 +461,8 @@ private:
     bool m_letterUp = false; ///< used if no word names a direction: "V neg. 1" belongs to axis V
     bool m_letterDown = false;
     bool m_dash = false;
+    bool m_found = false;
+    bool m_left = false;
     bool m_symbol = false; ///< a letter the standard uses for a computed value, without a number after it
     bool m_isDirection = false;
 };
@@ -473,6 +486,8 @@ bool isOfSense(const Token &token) {
     constexpr std::string_view words =
         "|cw|ccw|acw|clockwise|counterclockwise|anticlockwise|counter|anti"
         "|sh|sah|sens|trigo|trigonometrique|horaire|antihoraire|des|aiguilles|une|montre|inverse|contraire"
+        "|circle|circular|contour|arc|path|ballbar|kreis|kreisform|kreisformtest|kreistest|cercle|circulaire"
+        "|cerchio|circolare|circulo|las|alle|delle|al|le"
         "|linksdrehend|linkslauf|linksherum|linkskreis|rechtsdrehend|rechtslauf|rechtsherum|rechtskreis"
         "|im|den|sinn|gegen|entgegen|uhrzeigersinn|gegenuhrzeigersinn|uhrzeigers"
         "|senso|orario|antiorario|inverso|contrario|contro|lancette|trigonometrico|trigonometrica"
@@ -502,6 +517,16 @@ HeadingWords readHeading(std::string_view text) {
         heading.unknownWords = heading.meaning == Meaning::unknown ? heading.unknownWords : 0;
     }
     return heading;
+}
+
+HeadingWords readTitle(std::string_view line) {
+    constexpr std::string_view labels = "|state|status|condition|zustand|etat|stato|estado|";
+    const std::string text = folded(withoutBlanks(line));
+    const std::size_t end = std::min(text.find_first_of(" :"), text.size());
+    HeadingWords title = readHeading(text);
+    if (!title.isTitle() && labels.find('|' + text.substr(0, end) + '|') != std::string_view::npos)
+        title = readHeading(std::string_view(text).substr(end));
+    return title;
 }
 
 std::optional<Direction> directionOf(std::string_view cell) {

@@ -53,6 +53,7 @@ struct HeadingWords {
     std::optional<Direction> hint;      ///< an abbreviation that is a direction only next to its opposite
     bool isHintWord = false;            ///< the hint is an abbreviation, not a letter or dash
     bool saysDirection = false;         ///< contains a word for "direction"
+    bool namesBoth = false;             ///< ↑ and ↓
     bool namesSense = false;            ///< names a sense of rotation; its hint is a guess: clockwise as ↑
     TestRole state = TestRole::notStated; ///< before or after an adjustment
     bool isTest = false;                  ///< contains "test", which is a run to some, a whole test to others
@@ -69,11 +70,18 @@ struct HeadingWords {
         return isHintWord && (saysDirection || oppositeIsStated);
     }
 
+    /// True if all words are known and tell readings: a title, neither prose nor "Pressure ↑ 60".
+    [[nodiscard]] bool isTitle() const {
+        return unknownWords == 0 &&
+               !isOneOf(meaning, {Meaning::statistic, Meaning::temperature, Meaning::other, Meaning::time});
+    }
     /// True if it names a direction and nothing else.
-    [[nodiscard]] bool isDirectionOnly() const { return direction && unknownWords == 0; }
+    [[nodiscard]] bool isDirectionOnly() const { return direction && isTitle(); }
 };
 
 [[nodiscard]] HeadingWords readHeading(std::string_view text);
+/// The same of a line, without the label of "State: as found".
+[[nodiscard]] HeadingWords readTitle(std::string_view line);
 
 /// The direction named in a cell of directions: + − ↑ ↓ up down fwd rev aller retour …; null for other texts.
 [[nodiscard]] std::optional<Direction> directionOf(std::string_view cell);

@@ -6,6 +6,7 @@
 #include "document/place.h"
 #include "tables/contenterror.h"
 #include "tables/folded.h"
+#include "tables/numbercell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -285,6 +286,14 @@ TestRole resolveState(TableReading &reading) {
                         : REPORT_TEXT("report", "State: the table has readings as found and as left; those "
                                                 "as found are read, the others are a test of their own."));
     return isLeft ? TestRole::asLeft : TestRole::asFound;
+}
+
+TestRole statedState(TableReading &reading, TestRole state, std::string_view words) {
+    reading.remarks.note({},
+                         state == TestRole::asLeft ? REPORT_TEXT("report", "State: as left, as “%1” says.")
+                                                   : REPORT_TEXT("report", "State: as found, as “%1” says."),
+                         excerpt(withoutBlanks(words)));
+    return state;
 }
 
 std::string resolveAxis(TableReading &reading, const std::vector<std::string> &axes) {

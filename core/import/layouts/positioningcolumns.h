@@ -41,6 +41,8 @@ struct PositioningColumns : FoundForm {
 
 /// Settles which readings to read if a table has some before and some after an adjustment, with its question.
 [[nodiscard]] TestRole resolveState(TableReading &reading);
+/// Takes the state that these words say, with a remark.
+[[nodiscard]] TestRole statedState(TableReading &reading, TestRole state, std::string_view words);
 
 /// Settles which of several axes in a table to read, with its question.
 std::string resolveAxis(TableReading &reading, const std::vector<std::string> &axes);

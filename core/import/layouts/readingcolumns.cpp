@@ -241,12 +241,16 @@ private:
                                        [&](std::size_t c) { return words(c).state == state; });
         };
         const bool isEither = has(TestRole::asFound) && has(TestRole::asLeft);
-        if (isEither && !m.choices.isChosen("columns")) {
+        if (isEither && m.choices.isChosen("columns"))
+            return;
+        if (isEither) {
             m.stateFound = resolveState(m);
-            setAside([this](std::size_t c) { return words(c).state == m.stateFound; });
-        } else if (has(TestRole::asFound) || has(TestRole::asLeft)) {
-            m.stateFound = has(TestRole::asLeft) ? TestRole::asLeft : TestRole::asFound;
+            return setAside([this](std::size_t c) { return words(c).state == m.stateFound; });
         }
+        const auto stated = std::ranges::find_if(
+            m_result.values, [&](std::size_t c) { return words(c).state != TestRole::notStated; });
+        if (stated != m_result.values.end())
+            m.stateFound = statedState(m, words(*stated).state, m_heads[*stated].heading);
     }
 
     /// "1A" next to "1R" is not an axis A.

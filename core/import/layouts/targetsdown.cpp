@@ -140,15 +140,27 @@ private:
         m_hasStates = found && left && m.stateFound == TestRole::notStated;
         if (m_hasStates)
             m.stateFound = resolveState(m);
-        else if ((found || left) && m.stateFound == TestRole::notStated)
-            m.stateFound = left ? TestRole::asLeft : TestRole::asFound;
+        else if (found || left)
+            takeState();
+    }
+
+    /// Takes the state of a title that says nothing else.
+    void takeState() {
+        for (const TableBlock &block : m.body.blocks) {
+            for (const std::uint32_t head : m.titlesOf(block)) {
+                const HeadingWords title = readTitle(m.textOf(head));
+                if (m.stateFound == TestRole::notStated && title.isTitle() &&
+                    title.state != TestRole::notStated)
+                    m.stateFound = statedState(m, title.state, m.textOf(head));
+            }
+        }
     }
 
     [[nodiscard]] TestRole stateOfBlock(const TableBlock &block) const {
         for (const std::uint32_t head : m.titlesOf(block)) {
-            const HeadingWords heading = readHeading(m.textOf(head));
-            if (heading.state != TestRole::notStated && heading.unknownWords < 3) // a title, not prose
-                return heading.state;
+            const HeadingWords title = readTitle(m.textOf(head));
+            if (title.state != TestRole::notStated && title.unknownWords < 3) // a title, not prose
+                return title.state;
         }
         return TestRole::notStated;
     }
