@@ -116,7 +116,20 @@ std::string targetHeadingWithDirection(const TableReading &reading) {
     return {};
 }
 
-/// A row above the numbers that is none of their headings, but names two directions. Null if there is none.
+/// "Up = negative direction": a line that gives a direction another name. Null if there is none.
+std::optional<std::uint32_t> renamedDirection(const TableReading &reading) {
+    const auto found = std::ranges::find_if(reading.body.notes, [&](std::uint32_t note) {
+        const std::string text = reading.textOf(note);
+        const std::size_t sign = std::min(text.find_first_of("=:"), text.size());
+        const HeadingWords name = readHeading(std::string_view(text).substr(0, sign));
+        const HeadingWords meant = readHeading(std::string_view(text).substr(sign));
+        return name.isDirectionOnly() && meant.direction && meant.direction != name.direction;
+    });
+    return found == reading.body.notes.end() ? std::nullopt : std::optional(*found);
+}
+
+/// A row above the numbers that is none of their headings, but names two directions, or speaks of runs or
+/// directions in words that are not all known. Null if there is none.
 std::optional<std::uint32_t> unusedDirections(const TableReading &reading) {
     const auto names = [&](const TableCell &cell) {
         const HeadingWords words = readHeading(reading.table().text(cell));
@@ -124,6 +137,10 @@ std::optional<std::uint32_t> unusedDirections(const TableReading &reading) {
     };
     for (const TableBlock &block : reading.body.blocks) {
         for (const std::uint32_t head : reading.titlesOf(block)) {
+            const HeadingWords all = readHeading(reading.textOf(head));
+            if ((all.direction || all.namesBoth) && !all.isTitle() &&
+                (all.saysDirection || all.meaning == Meaning::run))
+                return head;
             if (!reading.row(head).comment &&
                 std::ranges::count_if(reading.table().cells(reading.row(head)), names) >= 2)
                 return head;
@@ -136,6 +153,7 @@ void askForDirections(std::string_view word, const FoundPasses &found, TableRead
     const bool stated = word == "stated";
     const std::string straying = stated ? std::string() : targetHeadingWithDirection(reading);
     const auto unused = stated ? std::nullopt : unusedDirections(reading);
+    const auto renamed = stated ? renamedDirection(reading) : std::nullopt;
     if (!straying.empty())
         reading.remarks.problem("directions",
                                 REPORT_TEXT("report", "Directions: only “%1”, the heading of the targets, "
@@ -146,6 +164,13 @@ void askForDirections(std::string_view word, const FoundPasses &found, TableRead
                                 REPORT_TEXT("report", "Directions: “%1” names some, but is not read as the "
                                                       "headings of the columns."),
                                 excerpt(withoutBlanks(reading.textOf(*unused))));
+    else if (renamed)
+        reading.remarks
+            .problem({"directions", reading.row(*renamed).line},
+                     REPORT_TEXT("report", "Directions: the file says “%1”; ↑ and ↓ are read as the runs are "
+                                           "called."),
+                     excerpt(withoutBlanks(reading.textOf(*renamed))))
+            .answers = {"stated", "reversed"};
     else if (stated && found.unclearCodes)
         reading.remarks
             .problem("directions",
@@ -167,7 +192,8 @@ void resolveDirections(FoundPasses &found, TableReading &reading) {
     std::vector<PlacedPass> &passes = found.passes;
     const bool stated =
         std::ranges::all_of(passes, [](const PlacedPass &p) { return p.direction.has_value(); });
-    const Origin origin = stated && !found.hasHints ? Origin::recognised : Origin::guessed;
+    const bool isKnown = stated && !found.hasHints && !renamedDirection(reading);
+    const Origin origin = isKnown ? Origin::recognised : Origin::guessed;
     const auto choice = reading.choices.resolve("directions", stated ? "stated" : guessOf(passes), origin);
     const bool isStated = choice.value == "stated" || choice.value == "reversed";
     if (isStated && !stated)

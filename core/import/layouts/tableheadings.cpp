@@ -29,6 +29,15 @@ bool isLoneText(const CellTable &table, const TableRow &row) {
     return cells.size() == 1 && cells.front().kind == CellKind::text;
 }
 
+/// "Runs 1, 3: backward": speaks of several columns, whatever it is above.
+bool isOfSeveralRuns(std::string_view text) {
+    const std::string_view label = text.substr(0, text.find(':'));
+    std::size_t numbers = 0;
+    for (std::size_t i = 0; i < label.size(); ++i)
+        numbers += isDigit(label[i]) && (i == 0 || !isDigit(label[i - 1])) ? 1 : 0;
+    return numbers > 1 && label.size() + 1 < text.size();
+}
+
 /// True if a row above the body describes its columns.
 bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     if (row.comment || isComputedRow(table, row) || isRowOfStatements(table, row))
@@ -40,7 +49,8 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     for (const TableCell &cell : cells) {
         filled += cell.kind != CellKind::empty ? 1 : 0;
         const std::string_view text = table.text(cell);
-        const bool namesRun = !text.empty() && (namesRuns(readHeading(text)) || senseIn(text));
+        const bool namesRun =
+            !text.empty() && !isOfSeveralRuns(text) && (namesRuns(readHeading(text)) || senseIn(text));
         words += cell.kind == CellKind::text || (cell.kind == CellKind::missing && namesRun) ? 1 : 0; // "-"
         directions += namesRun ? 1 : 0;
     }

@@ -466,7 +466,8 @@ private:
     [[nodiscard]] bool isTitledAsRun(const Piece &piece) const {
         const std::string text = titleOf(*piece.block);
         const HeadingWords title = readHeading(text);
-        if (title.direction || (title.hint && !isName(title)) || directionOfBlock(m, *piece.block).stated)
+        if (title.isDirectionOnly() || (title.hint && !isName(title)) ||
+            directionOfBlock(m, *piece.block).stated || (m_found.hasHints && piece.hint))
             return true;
         std::set<unsigned> numbers;
         for (const std::size_t column : m_columns.values)
