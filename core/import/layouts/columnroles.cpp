@@ -33,7 +33,7 @@ public:
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             const TableColumn &head = m_heads[c];
             const bool saysWay =
-                head.kind == ColumnKind::directions || head.kind == ColumnKind::senses; // of rotation
+                m.body.saysDirections(head) || head.kind == ColumnKind::senses; // of rotation
             if (saysWay && !m_result.direction) {
                 role(c) = ColumnRole::direction;
                 m_result.direction = c;

@@ -73,8 +73,7 @@ bool isPlain(std::string_view word, const std::vector<PlacedPass> &passes) {
     return scatter(passes, guessed) < 0.5 * scatter(passes, allUp);
 }
 
-Message questionFor(std::string_view word, const FoundPasses &found,
-                    const std::optional<OppositeWord> &opposite) {
+Message questionFor(std::string_view word, const FoundPasses &found, const TableBody &body) {
     if (word == "alternating" && found.isByLine)
         return {REPORT_TEXT(
             "report", "Directions: nothing in the file says them; the lines are read as ↑ and ↓ in turn.")};
@@ -89,14 +88,14 @@ Message questionFor(std::string_view word, const FoundPasses &found,
                                       "is read as ↑, the second as ↓.")};
     if (word == "positive")
         return {REPORT_TEXT("report", "Directions: nothing in the file says them; all runs are read as ↑.")};
-    if (opposite)
+    if (body.directionWords.size() == 1)
         return {
-            opposite->direction == Direction::positive
+            body.directionWords.begin()->second == Direction::positive
                 ? REPORT_TEXT("report",
                               "Directions: “%1” is read as ↑, the opposite of the other word of its column.")
                 : REPORT_TEXT("report",
                               "Directions: “%1” is read as ↓, the opposite of the other word of its column."),
-            {excerpt(opposite->word)}};
+            {excerpt(body.directionWords.begin()->first)}};
     if (found.hasSenses)
         return {REPORT_TEXT("report", "Directions: the file says clockwise or counterclockwise, not which of "
                                       "them is positive; clockwise is read as ↑.")};
@@ -174,7 +173,7 @@ void askForDirections(std::string_view word, const FoundPasses &found, TableRead
     else if (stated && found.unclearCodes)
         reading.remarks
             .problem("directions",
-                     REPORT_TEXT("report", "Directions: nothing says which of the numbers in their column is "
+                     REPORT_TEXT("report", "Directions: nothing says which of the entries in their column is "
                                            "↑, or the order of the targets contradicts it; %1 is read as ↑, "
                                            "%2 as ↓."),
                      found.unclearCodes->first, found.unclearCodes->second)
@@ -183,7 +182,7 @@ void askForDirections(std::string_view word, const FoundPasses &found, TableRead
         // A machine's direction of rotation depends on the side it is seen from.
         reading.remarks.add(isPlain(word, found.passes) && !found.hasSenses ? RemarkGrade::assumption
                                                                             : RemarkGrade::problem,
-                            "directions", questionFor(word, found, reading.body.opposite));
+                            "directions", questionFor(word, found, reading.body));
 }
 
 } // namespace

@@ -14,8 +14,12 @@ namespace {
 class RunsDownReader {
 public:
     explicit RunsDownReader(TableReading &reading)
-        : m(reading)
-        , m_directions(reading.body.columnOf(ColumnKind::directions)) {}
+        : m(reading) {
+        const auto directions =
+            m.body.columnsWhere([this](const TableColumn &column) { return m.body.saysDirections(column); });
+        if (!directions.empty())
+            m_directions = directions.front();
+    }
 
     FoundPasses read() {
         m_found.isByLine = true;
@@ -86,7 +90,7 @@ private:
         placed.direction = m_titled;
         if (m_directions) {
             placed.direction = m.body.directionIn(m.cellText(row, *m_directions));
-            m_found.hasHints |= m.body.opposite.has_value();
+            m_found.hasHints |= !m.body.directionWords.empty();
         } else if (heading.direction) {
             placed.direction = heading.direction;
         }

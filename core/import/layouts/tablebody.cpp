@@ -7,8 +7,10 @@
 #include "kernel/words/characters.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
+#include "tables/folded.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -117,21 +119,54 @@ bool isCalledDirection(const CellTable &table, std::size_t column) {
     });
 }
 
-/// Finds a single unknown word in a considerable part of the lines, the others naming one direction.
-std::optional<OppositeWord> oppositeIn(const CellTable &table, std::size_t column, const CellCount &count) {
+using DirectionWords = decltype(TableBody::directionWords);
+
+/// The direction of each of two words: initials of forward and reverse, vorwärts and rückwärts, aller and
+/// retour …, or "from +" and "from −"; null if they are none.
+DirectionWords pairOf(std::string_view first, std::string_view second) {
+    constexpr std::array<std::string_view, 12> pairs{"fr", "fb", "vr", "vz", "hr", "hz",
+                                                     "ar", "ai", "iv", "pn", "ud", "md"};
+    const std::string initials = folded(first.substr(0, 1)) + folded(second.substr(0, 1));
+    const auto isIn = [&](std::string_view pair) { return pair == initials; };
+    const auto isReverse = [&](std::string_view pair) {
+        return pair[0] == initials[1] && pair[1] == initials[0];
+    };
+    constexpr std::size_t longest = 2;
+    const bool areShort = initials.size() == 2 && std::max(first.size(), second.size()) <= longest;
+    const HeadingWords from = readHeading(first);
+    std::optional<Direction> direction;
+    if (from.comesFrom && readHeading(second).comesFrom && readHeading(second).hint != from.hint)
+        direction = from.hint;
+    else if (areShort && std::ranges::any_of(pairs, isIn))
+        direction = Direction::positive;
+    else if (areShort && std::ranges::any_of(pairs, isReverse))
+        direction = Direction::negative;
+    const auto opposite = !direction                          ? direction
+                          : *direction == Direction::positive ? std::optional(Direction::negative)
+                                                              : std::optional(Direction::positive);
+    return {{std::string(first), direction}, {std::string(second), opposite}};
+}
+
+/// Finds unknown words in a column headed as directions: two and nothing else, or a single one in a
+/// considerable part of the lines, the others naming one direction.
+DirectionWords directionWordsIn(const CellTable &table, std::size_t column, const CellCount &count) {
     constexpr std::size_t part = 4;
-    const bool isOneDirection =
-        count.directions > 0 && (count.upward == 0 || count.upward == count.directions);
-    if (!isOneDirection || count.unknown.size() != 1 ||
-        part * count.unknown.begin()->second < count.directions + count.words ||
-        !isCalledDirection(table, column))
+    if (count.unknown.empty() || count.unknown.size() > 2 || !isCalledDirection(table, column))
         return {};
-    return OppositeWord{count.unknown.begin()->first,
-                        count.upward > 0 ? Direction::negative : Direction::positive};
+    const std::string &word = count.unknown.begin()->first;
+    if (count.directions == 0)
+        return count.numbers + count.senses > 0 ? DirectionWords()
+               : count.unknown.size() == 1      ? DirectionWords{{word, std::nullopt}}
+                                                : pairOf(word, count.unknown.rbegin()->first);
+    const bool isOneDirection = count.upward == 0 || count.upward == count.directions;
+    if (!isOneDirection || count.unknown.size() != 1 ||
+        part * count.unknown.begin()->second < count.directions + count.words)
+        return {};
+    return {{word, count.upward > 0 ? Direction::negative : Direction::positive}};
 }
 
 std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width,
-                                   std::optional<OppositeWord> &opposite) {
+                                   DirectionWords &directionWords) {
     std::vector<CellCount> counts(width);
     for (const TableRow &row : table.rows()) {
         const auto cells = table.cells(row);
@@ -151,10 +186,10 @@ std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width,
     std::vector<TableColumn> columns(width);
     for (std::size_t c = 0; c < width; ++c)
         columns[c].kind = kindOf(counts[c]);
-    for (std::size_t c = 0; c < width && !opposite; ++c) {
+    for (std::size_t c = 0; c < width && directionWords.empty(); ++c) {
         if (columns[c].kind == ColumnKind::directions || columns[c].kind == ColumnKind::words)
-            opposite = oppositeIn(table, c, counts[c]);
-        if (opposite)
+            directionWords = directionWordsIn(table, c, counts[c]);
+        if (!directionWords.empty() && counts[c].directions > 0)
             columns[c].kind = ColumnKind::directions;
     }
     return columns;
@@ -283,8 +318,7 @@ private:
     }
 
     [[nodiscard]] bool saysDirection(const TableCell &cell) const {
-        return isDirectionCell(m_table, cell) ||
-               (m_body.opposite && m_body.opposite->word == m_table.text(cell));
+        return isDirectionCell(m_table, cell) || m_body.directionWords.contains(m_table.text(cell));
     }
 
     /// A single "-" among rows of several numbers is the title of a block, not a missing number.
@@ -443,7 +477,7 @@ TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbe
         refuseWithoutNumbers();
     if (width > widestTable)
         refuseTableSize();
-    body.columns = columnsOf(table, width, body.opposite);
+    body.columns = columnsOf(table, width, body.directionWords);
     for (const std::size_t c : ofNumbers) {
         if (c < width && body.columns[c].kind != ColumnKind::numbers &&
             body.columns[c].kind != ColumnKind::empty) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,12 +51,6 @@ struct TableBlock {
     std::size_t section = 0;                  ///< index of the section with its headings
 };
 
-/// An unknown word in a column headed as directions whose known words are all the same direction.
-struct OppositeWord {
-    std::string word;
-    Direction direction = Direction::negative; ///< the opposite of the known words' direction
-};
-
 /// The rows of a table sorted into measured data and statements about them.
 struct TableBody {
     std::vector<TableColumn> columns;               ///< of the first section
@@ -66,11 +61,20 @@ struct TableBody {
     Remarks remarks;
     std::vector<ListedTable> tables; ///< in file order, including the one read
     std::size_t table = 0;           ///< index of the one read
-    std::optional<OppositeWord> opposite;
+    /// Words that name no direction by themselves, in a column headed as directions: a single one is the
+    /// opposite of the others, two are letters of a pair, or null and asked.
+    std::map<std::string, std::optional<Direction>, std::less<>> directionWords;
 
     /// The direction named by a cell of the direction column.
     [[nodiscard]] std::optional<Direction> directionIn(std::string_view cell) const {
-        return opposite && opposite->word == cell ? opposite->direction : directionOf(cell);
+        const auto word = directionWords.find(cell);
+        return word == directionWords.end() ? directionOf(cell) : word->second;
+    }
+    /// True for a column of directions.
+    [[nodiscard]] bool saysDirections(const TableColumn &column) const {
+        return column.kind == ColumnKind::directions ||
+               (column.kind == ColumnKind::words && column.meaning == Meaning::direction &&
+                !directionWords.empty());
     }
     [[nodiscard]] std::size_t rowCount() const;
     /// The columns for which it is true, from left to right.

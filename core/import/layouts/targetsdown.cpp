@@ -254,7 +254,7 @@ private:
     [[nodiscard]] std::optional<Direction> directionOfRow(std::uint32_t row) {
         if (!m_columns.direction)
             return {};
-        const auto code = m.numberAt(row, *m_columns.direction);
+        const auto code = codeOf(row);
         if (!code)
             return directionOrSense(m.cellText(row, *m_columns.direction));
         if (m_codes.directions.empty())
@@ -263,9 +263,19 @@ private:
         return known == m_codes.directions.end() ? std::nullopt : std::optional(known->second);
     }
 
+    /// The number that a line has for its direction; words that name none are numbered.
+    [[nodiscard]] std::optional<double> codeOf(std::uint32_t row) const {
+        const auto code = m.numberAt(row, *m_columns.direction);
+        const auto &words = m.body.directionWords;
+        const auto word = words.find(m.cellText(row, *m_columns.direction));
+        return code || word == words.end() || word->second
+                   ? code
+                   : std::optional(static_cast<double>(std::distance(words.begin(), word)));
+    }
+
     [[nodiscard]] std::optional<Direction> directionOrSense(std::string_view text) {
         const auto direction = m.body.directionIn(text);
-        m_found.hasHints |= m.body.opposite.has_value();
+        m_found.hasHints |= !m.body.directionWords.empty();
         const auto sense = direction ? std::nullopt : senseIn(text);
         if (!sense)
             return direction;
@@ -278,7 +288,7 @@ private:
         std::vector<CodedTarget> lines;
         for (const TableBlock &block : m.body.blocks) {
             for (const std::uint32_t row : block.rows) {
-                const auto code = m.numberAt(row, *m_columns.direction);
+                const auto code = codeOf(row);
                 const auto target = m.numberAt(row, m_target);
                 const auto run = m_columns.number ? m.numberAt(row, *m_columns.number) : std::nullopt;
                 if (code && target && !isOfOtherTest(row))
@@ -286,6 +296,14 @@ private:
             }
         }
         return directionCodes(lines);
+    }
+
+    [[nodiscard]] std::string nameOfCode(double code) const {
+        const auto &words = m.body.directionWords;
+        const auto place = static_cast<std::size_t>(std::max(code, 0.0));
+        return place >= words.size()
+                   ? shortest(code)
+                   : excerpt(std::next(words.begin(), static_cast<std::ptrdiff_t>(place))->first);
     }
 
     /// Says what the codes of directions are taken for, or asks.
@@ -297,15 +315,15 @@ private:
         std::string down;
         for (const auto &[code, direction] : m_codes.directions) {
             std::string &list = direction == Direction::positive ? up : down;
-            list += (list.empty() ? "" : ", ") + shortest(code);
+            list += (list.empty() ? "" : ", ") + nameOfCode(code);
         }
         if (m_codes.origin == DirectionCodes::Origin::ordered)
             m.remarks.note("directions",
                            REPORT_TEXT("report", "Directions: %1 in their column is ↑, %2 is ↓, by the order "
                                                  "of the targets."),
                            up, down);
-        else if (m_codes.origin == DirectionCodes::Origin::unclear)
-            m_found.unclearCodes = {up, down};
+        else if (m_codes.origin == DirectionCodes::Origin::unclear || !m.body.directionWords.empty())
+            m_found.unclearCodes = {up, down.empty() ? "–" : down};
     }
 
     /// A run with ascending targets is ↑, with descending ones ↓; unknown if all ascend.
