@@ -107,6 +107,10 @@ constexpr auto calibratedWords =
     std::to_array<ImportWord>({{"not stated", REPORT_TEXT("report", "not stated")},
                                {"yes", REPORT_TEXT("report", "yes")},
                                {"no", REPORT_TEXT("report", "no")}});
+constexpr auto senseWords = std::to_array<ImportWord>(
+    {{"stated", REPORT_TEXT("report", "as the file says, the points in the opposite order")},
+     {"angles", REPORT_TEXT("report", "as the angles run")},
+     {"mirrored", REPORT_TEXT("report", "the angles count clockwise")}});
 constexpr auto keepWords =
     std::to_array<ImportWord>({{"keep", REPORT_TEXT("report", "the numbers are right")}});
 constexpr auto hiddenWords = std::to_array<ImportWord>(
@@ -147,6 +151,7 @@ const auto keys = std::to_array<ImportKey>({
     {"startAngle", REPORT_TEXT("report", "Start angle (°)"), ImportValue::number, {}, Asked::guess},
     {"arc", REPORT_TEXT("report", "Arc (°)"), ImportValue::number, {}, Asked::guess},
     {"overshoot", REPORT_TEXT("report", "Angular overshoot (°)"), ImportValue::number, {}, Asked::guess},
+    {"sense", REPORT_TEXT("report", "Sense"), ImportValue::word, senseWords, Asked::guess},
     {"angleReference", REPORT_TEXT("report", "Angles"), ImportValue::word, referenceWords},
     {"calibrated", REPORT_TEXT("report", "Length calibrated"), ImportValue::word, calibratedWords},
     {"correctionTo20", REPORT_TEXT("report", "Correction to 20 °C"), ImportValue::word, correctionWords,

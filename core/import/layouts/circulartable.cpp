@@ -9,6 +9,7 @@
 #include "kernel/numerics/leastsquarescircle.h"
 #include "tables/contenterror.h"
 #include "tables/folded.h"
+#include "tables/numbercell.h"
 
 #include <algorithm>
 #include <array>
@@ -64,6 +65,7 @@ public:
             convertAngles(measurement);
         if (measurement.arcs.empty())
             refuseContent(REPORT_TEXT("report", "there are no points of a circle in it"));
+        askForSense();
         remarkPaths(measurement, m.remarks);
         if (m_missing > 0)
             m.remarks.problem("unread", REPORT_TEXT("report", "Points without a number were left out: %1."),
@@ -77,9 +79,26 @@ private:
         for (const std::size_t second : m_columns.seconds) {
             const std::optional<Sense> ofColumn = senseIn(m.body.columns[second].heading);
             for (const TableBlock &block : m.body.blocks)
-                collectPaths(block, second, ofColumn ? ofColumn : senseIn(m.titleOf(block)));
+                collectPaths(block, second, ofColumn ? ofColumn : titledSense(block));
         }
         askForSenses();
+    }
+
+    /// The sense of a title that says nothing else. One that says more is remembered.
+    std::optional<Sense> titledSense(const TableBlock &block) {
+        constexpr std::size_t prose = 3; // unknown words
+        for (const std::uint32_t head : m.titlesOf(block)) {
+            const std::string text = m.textOf(head);
+            const HeadingWords title = readHeading(text);
+            if (title.namesSense && title.isTitle())
+                return senseIn(text);
+            const auto [clockwise, counterclockwise] = sensesIn(text);
+            if (!m_unclearTitle && !m_columns.senses && (clockwise || counterclockwise) &&
+                ((clockwise && counterclockwise) || title.unknownWords < prose || title.saysDirection ||
+                 title.meaning == Meaning::angle))
+                m_unclearTitle = head;
+        }
+        return {};
     }
 
     /// Two columns with common angles have the same sense unless a word distinguishes them.
@@ -91,11 +110,36 @@ private:
                                       "those points are read as their angles run."),
                 excerpt(m_unknownSense));
         const auto isSilent = [](const RawPath &path) { return !path.stated; };
-        if (m_columns.seconds.size() == 2 && m.body.blocks.size() == 1 &&
+        if (m_columns.seconds.size() == 2 && m.body.blocks.size() == 1 && !m_unclearTitle &&
             std::ranges::any_of(m_paths, isSilent) && m_columns.isSure)
             m.remarks.problem("columns",
                               REPORT_TEXT("report", "Sense: no word says which "
                                                     "column is clockwise; both are read as the angles run."));
+    }
+
+    /// Asks where the angles contradict the named sense, or its words are not all known. If they contradict
+    /// one sense of two, all points are listed by angle.
+    void askForSense() {
+        const bool isContradicted = m_turned > 0 && m_turned == m_stated;
+        const Text against =
+            REPORT_TEXT("report", "Sense: the angles run against the sense the file names; the "
+                                  "points are taken in the opposite order.");
+        if (m_turned > 0 && !isContradicted)
+            m.remarks.problem({}, against);
+        if (!isContradicted && !m_unclearTitle)
+            return;
+        if (m.choices.resolve("sense", isContradicted ? "stated" : "angles", Origin::guessed).origin ==
+            Origin::chosen)
+            return;
+        if (isContradicted)
+            m.remarks.problem("sense", against);
+        else
+            m.remarks
+                .problem({"sense", m.row(*m_unclearTitle).line},
+                         REPORT_TEXT("report",
+                                     "Sense: the file says “%1”; the points are read as their angles run."),
+                         excerpt(withoutBlanks(m.textOf(*m_unclearTitle))))
+                .answers = {"angles", "mirrored"};
     }
 
     /// The words of the line before.
@@ -423,6 +467,9 @@ private:
     /// A path that reverses is two arcs. If a stated sense contradicts the angles, the points were listed by
     /// angle, and their order is reversed.
     void addArcs(CircularMeasurement &measurement, Arc path, std::optional<Sense> stated) {
+        const std::string_view chosen = m.choices.chosen("sense");
+        for (double &angle : path.angles)
+            angle = chosen == "mirrored" ? 0 - angle : angle;
         const std::size_t turn = turningPoint(path.angles);
         if (turn > 0 && !stated) {
             Arc second = path;
@@ -439,15 +486,12 @@ private:
             return;
         }
         path.sense = senseOf(path.angles);
-        if (stated && *stated != path.sense) {
+        m_stated += stated ? 1 : 0;
+        m_turned += stated && *stated != path.sense ? 1 : 0;
+        if (stated && *stated != path.sense && chosen != "angles") {
             std::ranges::reverse(path.angles);
             std::ranges::reverse(path.radialDeviations);
             path.sense = *stated;
-            if (!m_turned)
-                m.remarks.problem(
-                    {}, REPORT_TEXT("report", "Sense: the angles run against the sense the file names; the "
-                                              "points are taken in the opposite order."));
-            m_turned = true;
         }
         measurement.arcs.push_back(std::move(path));
     }
@@ -471,8 +515,10 @@ private:
     CircleColumns m_columns;
     std::vector<RawPath> m_paths;
     std::size_t m_missing = 0;
-    std::string_view m_unknownSense; ///< the first word of a column of senses that names none
-    bool m_turned = false;
+    std::string_view m_unknownSense;             ///< the first word of a column of senses that names none
+    std::optional<std::uint32_t> m_unclearTitle; ///< names a sense among other words
+    std::size_t m_stated = 0;                    ///< paths with a stated sense
+    std::size_t m_turned = 0;                    ///< those of them against which the angles run
 };
 
 } // namespace

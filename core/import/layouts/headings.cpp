@@ -74,37 +74,38 @@ std::string signOfDifference(std::string_view left, std::string_view right) {
 
 } // namespace
 
-std::optional<Sense> senseIn(std::string_view text) {
+NamedSenses sensesIn(std::string_view text) {
     const std::string low = folded(text);
     const std::vector<std::string_view> words = wordsOf(low);
-    // True if one of the words is in a list, between bars.
-    const auto has = [&](std::string_view list) {
-        return std::ranges::any_of(words, [&](std::string_view word) {
+    // The number of words in a list, between bars.
+    const auto count = [&](std::string_view list) {
+        return std::ranges::count_if(words, [&](std::string_view word) {
             return list.find('|' + std::string(word) + '|') != std::string_view::npos;
         });
     };
-    const auto contains = [&](std::string_view part) { return low.find(part) != std::string::npos; };
+    const auto has = [&](std::string_view list) { return count(list) > 0; };
     // "Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre": a clock with a word for against.
-    constexpr std::string_view clocks =
-        "|clockwise|horaire|orario|horario|uhrzeigersinn|uhrzeigers|aiguilles|lancette|agujas|";
+    const auto clocks =
+        count("|clockwise|horaire|orario|horario|uhrzeigersinn|uhrzeigers|aiguilles|lancette|agujas|");
     const bool isAgainst =
         has("|gegen|entgegen|anti|counter|inverse|inverso|contraire|contrario|contro|contra|");
-    if (has(clocks) && isAgainst)
-        return Sense::counterclockwise;
+    if (clocks > 0 && isAgainst)
+        return {clocks > 1 || has("|cw|"), true};
     // "Sens trigonométrique": the mathematical sense of angles.
     if (has("|trigo|trigonometrique|trigonometrico|trigonometrica|"))
-        return isAgainst ? Sense::clockwise : Sense::counterclockwise;
-    if (has("|ccw|counterclockwise|anticlockwise|antihoraire|acw|sah|antiorario|antihorario|"
-            "gegenuhrzeigersinn|"
-            "linksdrehend|linkslauf|linksherum|linkskreis|⟲|") ||
-        contains("counter-clockwise") || contains("anti-clockwise") || contains("anti-horaire") ||
-        hasCode(low, "g3") || hasCode(low, "g03") || low == "⟲")
-        return Sense::counterclockwise;
-    if (has("|cw|sh|clockwise|horaire|orario|horario|uhrzeigersinn|aiguilles|lancette|agujas|rechtsdrehend|"
-            "rechtslauf|rechtsherum|rechtskreis|⟳|") ||
-        hasCode(low, "g2") || hasCode(low, "g02"))
-        return Sense::clockwise;
-    return {};
+        return {isAgainst || clocks > 0, !isAgainst};
+    return {clocks > 0 || has("|cw|sh|rechtsdrehend|rechtslauf|rechtsherum|rechtskreis|⟳|") ||
+                hasCode(low, "g2") || hasCode(low, "g02"),
+            has("|ccw|counterclockwise|anticlockwise|antihoraire|acw|sah|antiorario|antihorario|"
+                "gegenuhrzeigersinn|linksdrehend|linkslauf|linksherum|linkskreis|⟲|") ||
+                hasCode(low, "g3") || hasCode(low, "g03") || low == "⟲"};
+}
+
+std::optional<Sense> senseIn(std::string_view text) {
+    const auto [clockwise, counterclockwise] = sensesIn(text);
+    if (clockwise == counterclockwise)
+        return {};
+    return clockwise ? Sense::clockwise : Sense::counterclockwise;
 }
 
 std::optional<double> clockTime(std::string_view text) {

@@ -11,7 +11,13 @@
 
 namespace palmer {
 
-/// The sense of contouring named by a word or heading: ccw, cw, G2, G3, horaire, antihoraire.
+/// The senses of contouring named by words: ccw, cw, G2, G3, horaire, antihoraire.
+struct NamedSenses {
+    bool clockwise = false;
+    bool counterclockwise = false;
+};
+[[nodiscard]] NamedSenses sensesIn(std::string_view text);
+/// The one that is named; null also if both are.
 [[nodiscard]] std::optional<Sense> senseIn(std::string_view text);
 
 /// Seconds of the day for "10:25" or "10:25:30,5", also after a date; null for any other text.
