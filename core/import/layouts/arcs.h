@@ -6,6 +6,8 @@
 #include "import/remark.h"
 #include "kernel/measurement/circular.h"
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +28,7 @@ void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::
 struct CircleColumns {
     std::optional<std::size_t> first;  ///< angles or x; null: radial deviations alone
     std::vector<std::size_t> seconds;  ///< radii, radial deviations or y
+    std::optional<std::size_t> third;  ///< y of nominal points, whose polar angles are those of deviations
     std::optional<std::size_t> senses; ///< the sense of each line
     std::optional<std::size_t> runs;   ///< the number of the path of each line
     std::string layout;                ///< a word of the choice
@@ -36,6 +39,11 @@ struct CircleColumns {
 /// make no circle.
 [[nodiscard]] CircleColumns circleColumns(TableReading &reading);
 [[noreturn]] void refuseCircleColumns();
+
+/// The radius or radial deviation of a line in a column, mm, as it is read.
+using RadialOf = std::function<std::optional<double>(std::uint32_t row, std::size_t column)>;
+/// Asks for radii and deviations that are not read unless they say the same; the other columns are listed.
+void askForUnread(TableReading &reading, const CircleColumns &columns, const RadialOf &radial);
 
 /// Notes the number of paths and points.
 void remarkPaths(const CircularMeasurement &measurement, Remarks &remarks);

@@ -3,11 +3,16 @@
 #include "import/layouts/arcs.h"
 #include "import/layouts/tablereading.h"
 
+#include "document/place.h"
 #include "tables/contenterror.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <iterator>
+#include <set>
+#include <utility>
 
 namespace palmer {
 
@@ -70,8 +75,11 @@ private:
         if (found.empty())
             found = m.body.columnsWhere(
                 [](const TableColumn &column) { return column.isNumeric() && senseIn(column.heading); });
+        if (found.empty())
+            std::ranges::copy_if(m.body.numberColumns(), std::back_inserter(found),
+                                 [&](std::size_t c) { return isNamedReading(c); });
         if (found.empty() && !m.body.numberColumns().empty())
-            found = {m.body.numberColumns().front()};
+            found = {firstUnnamed()};
         return found;
     }
 
@@ -92,20 +100,30 @@ private:
         const std::vector<std::size_t> angle = angleColumns();
         const auto coordinates = coordinateColumns();
         m_named = coordinates || !angle.empty();
+        const bool hasRadial = has(Meaning::radius) || has(Meaning::deviation);
+        // Deviations at nominal points.
+        const bool isPolar = coordinates && angle.empty() && has(Meaning::deviation) &&
+                             m.body.columns[coordinates->first].words.isTarget;
         // "angle, x, y": points, and the angles at which they were taken.
-        const bool isXy =
-            coordinates && (angle.empty() || (!has(Meaning::radius) && !has(Meaning::deviation)));
-        if (m.body.numberColumns().size() == 1 || m.choices.chosen("layout") == "deviations") {
+        const bool isXy = coordinates && !isPolar && (angle.empty() || !hasRadial);
+        const bool isAlone = angle.empty() && !coordinates && isNamedReading(firstUnnamed());
+        if (m.body.numberColumns().size() == 1 || isAlone || m.choices.chosen("layout") == "deviations") {
             m_found.seconds = deviationsAlone();
         } else if (isXy) {
             m_found.first = coordinates->first;
             m_found.seconds = {coordinates->second};
+        } else if (isPolar) {
+            m_found.first = coordinates->first;
+            m_found.third = coordinates->second;
+            m_found.seconds = m.body.numberColumns(Meaning::deviation);
+            setRole(*m_found.third, ColumnRole::y);
         } else {
             m_found.first = angle.empty() ? firstUnnamed() : angle.front();
+            askForAngles();
             m_found.seconds = readingsByAngle();
         }
         if (m_found.first)
-            setRole(*m_found.first, isXy ? ColumnRole::x : ColumnRole::angle);
+            setRole(*m_found.first, isXy || isPolar ? ColumnRole::x : ColumnRole::angle);
         for (const std::size_t c : m_found.seconds)
             setRole(c, m_found.first && isXy                              ? ColumnRole::y
                        : m_found.first && meaningOf(c) == Meaning::radius ? ColumnRole::radius
@@ -121,10 +139,17 @@ private:
     [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> coordinateColumns() const {
         std::vector<std::size_t> found;
         const auto letter = [&](std::size_t c) { return m.body.columns[c].words.axis; };
-        for (const std::size_t c : m.body.numberColumns()) {
-            if (isOneOf(meaningOf(c), {Meaning::x, Meaning::y}) &&
-                std::ranges::find(found, letter(c), letter) == found.end())
-                found.push_back(c);
+        using Meanings = std::initializer_list<Meaning>;
+        for (const Meanings &meanings :
+             {Meanings{Meaning::x, Meaning::y}, Meanings{Meaning::actual}, Meanings{Meaning::target}}) {
+            if (found.size() > 1)
+                break;
+            found.clear();
+            for (const std::size_t c : m.body.numberColumns()) {
+                if (isOneOf(meaningOf(c), meanings) && letter(c) != 0 &&
+                    std::ranges::find(found, letter(c), letter) == found.end())
+                    found.push_back(c);
+            }
         }
         if (found.size() < 2)
             return {};
@@ -140,10 +165,28 @@ private:
         return isYx ? std::pair(found[1], found[0]) : std::pair(found[0], found[1]);
     }
 
+    /// The first column that is no counter of points.
     [[nodiscard]] std::size_t firstUnnamed() const {
         const std::vector<std::size_t> columns = m.body.numberColumns();
-        const bool counts = columns.size() > 2 && isCounter(m, columns.front());
+        const bool counts = columns.size() > 1 && isCounter(m, columns.front()) &&
+                            (columns.size() > 2 || meaningOf(columns.front()) == Meaning::index);
         return columns[counts ? 1 : 0];
+    }
+
+    /// "Run 1 CW", "Deviation": no angle.
+    [[nodiscard]] bool isNamedReading(std::size_t c) const {
+        return senseIn(m.body.columns[c].heading) ||
+               (meaningOf(c) == Meaning::run && m.body.columns[c].words.number) ||
+               isOneOf(meaningOf(c), {Meaning::deviation, Meaning::reading});
+    }
+
+    void askForAngles() {
+        const TableColumn &column = m.body.columns[*m_found.first];
+        if (!m_named && !column.heading.empty())
+            m_question = {REPORT_TEXT("report",
+                                      "Columns: the headings do not say which holds the angles; “%1” "
+                                      "is read as such."),
+                          {excerpt(column.heading)}};
     }
 
     /// Columns with undefined headings: those that name a sense, otherwise all of similar size.
@@ -165,7 +208,9 @@ private:
         const bool radii = areRadii(columns.front());
         const std::size_t all = columns.size();
         std::erase_if(columns, [&](std::size_t c) { return areRadii(c) != radii; });
-        if (named || columns.size() < all)
+        const bool areRuns =
+            std::ranges::all_of(columns, [&](std::size_t c) { return meaningOf(c) == Meaning::run; });
+        if ((named && !areRuns) || columns.size() < all)
             m_question = {REPORT_TEXT("report", "Columns: the headings do not say which hold readings; "
                                                 "column %1 and those like it are read."),
                           {counted(columns.front() + 1)}};
@@ -188,6 +233,12 @@ private:
                 m_found.seconds.push_back(c);
         }
         const auto roleOf = [&](std::size_t c) { return chosen[c].role; };
+        const auto y = std::ranges::find(m_found.seconds, ColumnRole::y, roleOf);
+        if (m_found.first && roleOf(*m_found.first) == ColumnRole::x && y != m_found.seconds.end() &&
+            m_found.seconds.size() > 1) {
+            m_found.third = *y;
+            m_found.seconds.erase(y);
+        }
         if (m_found.seconds.empty() ||
             std::ranges::any_of(
                 m_found.seconds,
@@ -239,6 +290,8 @@ private:
         const std::size_t second = m_found.seconds.front();
         if (!m_found.first)
             return {"deviations", Origin::recognised};
+        if (m_found.third)
+            return {"angleDeviation", Origin::recognised};
         if (m.result.columns[*m_found.first].role == ColumnRole::x)
             return {"xy", Origin::recognised};
         if (!m_named && areOnCircle(m, *m_found.first, second))
@@ -262,7 +315,9 @@ private:
         if (choice.origin == Origin::guessed)
             m.remarks.assumption("layout", layout->content);
         // The layout determines the columns, even if it was chosen against their headings.
-        if (m_found.first)
+        if (m_found.third && choice.value == "xy")
+            m_found.seconds = {*std::exchange(m_found.third, std::nullopt)};
+        if (m_found.first && !m_found.third)
             setRole(*m_found.first, choice.value == "xy" ? ColumnRole::x : ColumnRole::angle);
         for (const std::size_t second : m_found.seconds)
             setRole(second, layout->second);
@@ -275,7 +330,70 @@ private:
     bool m_named = false;
 };
 
+struct Extent {
+    double low = INFINITY;
+    double high = -INFINITY;
+
+    void add(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    [[nodiscard]] double size() const { return high - low; }
+};
+
+/// True if a column that is not read says the same as the one that is, up to rounding.
+bool agree(const TableReading &reading, std::size_t read, std::size_t other, const RadialOf &radial) {
+    constexpr double part = 0.25; // of the larger range
+    const Unit *unit = reading.body.columns[other].unit;
+    for (const double factor : unit ? std::vector{unit->toBase(1)} : std::vector{1.0, 0.001}) {
+        Extent ofRead;
+        Extent ofOther;
+        Extent ofDifference;
+        for (const TableBlock &block : reading.body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                const auto a = radial(row, read);
+                const auto b = reading.numberAt(row, other);
+                if (!a || !b)
+                    continue;
+                ofRead.add(*a);
+                ofOther.add(factor * *b);
+                ofDifference.add(*a - factor * *b);
+            }
+        }
+        if (ofDifference.size() <= part * std::max(ofRead.size(), ofOther.size()))
+            return true;
+    }
+    return false;
+}
+
 } // namespace
+
+void askForUnread(TableReading &reading, const CircleColumns &columns, const RadialOf &radial) {
+    const std::vector<TableColumn> &heads = reading.body.columns;
+    const auto isIgnored = [&](std::size_t c) {
+        return reading.result.columns[c].role == ColumnRole::ignored;
+    };
+    std::set<std::size_t> compared;
+    for (const Meaning meaning : {Meaning::radius, Meaning::deviation}) {
+        std::vector<std::size_t> unread = reading.body.numberColumns(meaning);
+        std::erase_if(unread, std::not_fn(isIgnored));
+        for (std::size_t k = 0; k < unread.size() && unread.size() == columns.seconds.size(); ++k) {
+            compared.insert(unread[k]);
+            if (!agree(reading, columns.seconds[k], unread[k], radial))
+                reading.remarks.problem(
+                    "columns",
+                    REPORT_TEXT("report", "Columns: “%1” says something else than “%2”, which is read."),
+                    excerpt(heads[unread[k]].heading), excerpt(heads[columns.seconds[k]].heading));
+        }
+    }
+    reading.remarkUnread([&](std::size_t c) { return !isIgnored(c) || heads[c].meaning == Meaning::index; },
+                         [&](std::size_t c) {
+                             return heads[c].isNumeric() && !compared.contains(c) &&
+                                    isOneOf(heads[c].meaning,
+                                            {Meaning::radius, Meaning::deviation, Meaning::reading,
+                                             Meaning::actual, Meaning::run});
+                         });
+}
 
 void refuseCircleColumns() {
     refuseContent(REPORT_TEXT("report", "these columns do not make a circle; expected x and y, angle and "

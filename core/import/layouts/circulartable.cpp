@@ -142,6 +142,15 @@ private:
                 .answers = {"angles", "mirrored"};
     }
 
+    /// The angle of a line, or its x.
+    [[nodiscard]] std::optional<double> firstOf(std::uint32_t row) {
+        const auto first = m_columns.first ? m.number(row, *m_columns.first) : std::nullopt;
+        const auto y = m_columns.third ? m.number(row, *m_columns.third) : std::nullopt;
+        if (!m_columns.third || !first)
+            return first;
+        return y ? std::optional(std::atan2(*y, *first) / degree) : std::nullopt;
+    }
+
     /// The words of the line before.
     struct Parting {
         std::string_view sense = {};
@@ -157,7 +166,7 @@ private:
         path.second.reserve(block.rows.size());
         for (const std::uint32_t row : block.rows) {
             part(last, row, path);
-            const auto a = m_columns.first ? m.number(row, *m_columns.first) : std::nullopt;
+            const auto a = firstOf(row);
             const auto b = m.number(row, second);
             if (!b || (m_columns.first && !a)) {
                 ++m_missing;
@@ -321,6 +330,12 @@ private:
             unwrap(arc.angles);
             addArcs(measurement, std::move(arc), path.stated);
         }
+        askForUnread(m, m_columns, [&](std::uint32_t row, std::size_t second) {
+            const auto x = m.numberAt(row, *m_columns.first);
+            const auto y = m.numberAt(row, second);
+            return x && y ? std::optional(std::hypot(unit->toBase(*x) - cx, unit->toBase(*y) - cy))
+                          : std::nullopt;
+        });
         askForCircle(measurement, points, fit.radius);
     }
 
@@ -394,7 +409,7 @@ private:
         }
         mean /= static_cast<double>(std::max<std::size_t>(n, 1));
         form.angle = unitOf("deg");
-        if (m_columns.first)
+        if (m_columns.first && !m_columns.third)
             form.angle = resolveUnit(
                 "positionUnit", m.body.columns[*m_columns.first].said(), UnitKind::angle,
                 largest < 7 && n > 20 ? "rad" : "deg",
@@ -462,6 +477,10 @@ private:
             unwrap(arc.angles);
             addArcs(measurement, std::move(arc), path.stated);
         }
+        askForUnread(m, m_columns, [&](std::uint32_t row, std::size_t second) {
+            const auto value = m.numberAt(row, second);
+            return value ? std::optional(form.reading->toBase(*value)) : value;
+        });
     }
 
     /// A path that reverses is two arcs. If a stated sense contradicts the angles, the points were listed by

@@ -153,34 +153,27 @@ bool isUsed(const ColumnSearch &search, std::size_t c) {
 
 /// Remarks on unread columns; those that look like readings become a question.
 void remarkIgnored(ColumnSearch &search) {
-    const std::vector<TableColumn> &heads = search.reading.body.columns;
-    const bool isChosen = search.reading.choices.isChosen("columns");
-    std::string names;
-    std::string readings;
-    for (std::size_t c = 0; c < heads.size(); ++c) {
-        if (isUsed(search, c) || heads[c].kind == ColumnKind::empty)
+    TableReading &m = search.reading;
+    const auto isRead = [&](std::size_t c) { return isUsed(search, c); };
+    const auto isReading = [&](std::size_t c) { return looksLikeReadings(search, c); };
+    for (std::size_t c = 0; c < m.body.columns.size() && !m.choices.isChosen("columns"); ++c) {
+        const TableColumn &head = m.body.columns[c];
+        if (isRead(c) || head.kind == ColumnKind::empty)
             continue;
-        if (!isChosen && marksReadings(search, c))
-            search.reading.remarks.problem(
+        if (marksReadings(search, c))
+            m.remarks.problem(
                 "columns",
                 REPORT_TEXT("report",
                             "“%1” differs from line to line; all readings are read, whatever it says."),
-                excerpt(heads[c].heading));
-        const bool isReading = !isChosen && looksLikeReadings(search, c);
-        std::string &list = isReading ? readings : names;
-        const std::string name = heads[c].heading.empty() && isReading ? '#' + std::to_string(c + 1)
-                                 : isReading                           ? excerpt(heads[c].heading)
-                                                                       : heads[c].heading;
-        if (!name.empty())
-            list += (list.empty() ? "" : ", ") + name;
+                excerpt(head.heading));
+        if (head.meaning == Meaning::direction && !isReading(c))
+            m.remarks.problem("columns",
+                              REPORT_TEXT("report",
+                                          "Columns: “%1” is headed as directions, but its cells name "
+                                          "none that is known; it is not read."),
+                              excerpt(head.heading));
     }
-    if (!readings.empty())
-        search.reading.remarks.problem(
-            "columns", REPORT_TEXT("report", "Columns that look like readings and are not read: %1."),
-            readings);
-    if (!names.empty())
-        search.reading.remarks.note({}, REPORT_TEXT("report", "Columns that are not read: %1."),
-                                    excerpt(names));
+    m.remarkUnread(isRead, isReading);
 }
 
 /// "Target ↑; Dev ↑; Target ↓; Dev ↓": readings belong to the targets on their left.

@@ -211,16 +211,28 @@ void TableReading::remarkNoTarget(std::uint32_t index, std::string_view cell) {
                     excerpt(cell));
 }
 
-std::string TableReading::titleOf(const TableBlock &block) const {
-    std::string title;
-    const std::vector<std::uint32_t> titles = titlesOf(block);
-    for (auto head = titles.rbegin(); head != titles.rend(); ++head) {
-        for (const TableCell &each : table().cells(row(*head))) {
-            if (each.size > 0)
-                title += (title.empty() ? "" : " ") + std::string(table().text(each));
-        }
+void TableReading::remarkUnread(const std::function<bool(std::size_t)> &isRead,
+                                const std::function<bool(std::size_t)> &looksLikeReadings) {
+    std::string names;
+    std::string readings;
+    for (std::size_t c = 0; c < body.columns.size(); ++c) {
+        const std::string &heading = body.columns[c].heading;
+        if (isRead(c) || body.columns[c].kind == ColumnKind::empty)
+            continue;
+        const bool isReading = !choices.isChosen("columns") && looksLikeReadings(c);
+        std::string &list = isReading ? readings : names;
+        const std::string name = heading.empty() && isReading ? '#' + std::to_string(c + 1)
+                                 : isReading                  ? excerpt(heading)
+                                                              : heading;
+        if (!name.empty())
+            list += (list.empty() ? "" : ", ") + name;
     }
-    return title;
+    if (!readings.empty())
+        remarks.problem("columns",
+                        REPORT_TEXT("report", "Columns that look like readings and are not read: %1."),
+                        readings);
+    if (!names.empty())
+        remarks.note({}, REPORT_TEXT("report", "Columns that are not read: %1."), excerpt(names));
 }
 
 std::vector<std::uint32_t> TableReading::titlesOf(const TableBlock &block) const {

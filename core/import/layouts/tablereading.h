@@ -54,8 +54,9 @@ public:
 
     /// The rows above a block that are no column headings, from the nearest one up.
     [[nodiscard]] std::vector<std::uint32_t> titlesOf(const TableBlock &block) const;
-    /// The titles of a block as one text.
-    [[nodiscard]] std::string titleOf(const TableBlock &block) const;
+    /// Names the columns that are not read: those that look like readings in a question.
+    void remarkUnread(const std::function<bool(std::size_t)> &isRead,
+                      const std::function<bool(std::size_t)> &looksLikeReadings);
 
     Imported &result;
     Remarks &remarks{result.remarks};

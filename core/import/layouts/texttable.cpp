@@ -99,6 +99,17 @@ bool areAxesOnCircle(const TableReading &reading) {
     return axes.size() == 2 && areOnCircle(reading, axes[0], axes[1]);
 }
 
+/// Coordinates along two axes.
+bool hasTwoAxes(const TableBody &body) {
+    std::set<char> axes;
+    for (const std::size_t c : body.numberColumns()) {
+        if (isOneOf(body.columns[c].meaning, {Meaning::x, Meaning::y, Meaning::target, Meaning::actual}))
+            axes.insert(body.columns[c].words.axis);
+    }
+    axes.erase(0);
+    return axes.size() > 1;
+}
+
 /// True if the headings name a circle.
 bool isCircular(const TableBody &body) {
     const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
@@ -179,6 +190,8 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
         origin = saysCircle(reading) ? Origin::recognised : Origin::guessed;
         return "circular";
     }
+    if (reading.notes.radius && hasTwoAxes(body))
+        return "circular";
     if (isApproached(body))
         return "positioning";
     const bool positions = has(Meaning::run) || has(Meaning::direction);
