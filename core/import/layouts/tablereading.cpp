@@ -3,9 +3,12 @@
 #include "import/layouts/tablereading.h"
 
 #include "document/place.h"
+#include "kernel/words/shortest.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace palmer {
 
@@ -104,6 +107,33 @@ void keepOneTable(const CellTable &table, TableBody &body, std::optional<std::si
     body.columns = body.sections[sections[body.table]];
 }
 
+/// What the lines above a block say: machine, serial number, day, the text of a day, plane and radius; then
+/// axis, state and unit.
+using BlockFacts = std::array<std::string, 9>;
+constexpr std::size_t factsOfTest = 6;
+constexpr std::size_t unitFact = 8;
+
+BlockFacts factsOf(const TableReading &reading, const TableBlock &block) {
+    TableBody own;
+    own.notes = reading.titlesOf(block);
+    std::ranges::reverse(own.notes);
+    const FileNotes notes = notesOf(reading.table(), own, {});
+    std::string state;
+    for (const std::uint32_t note : own.notes) {
+        if (const TestRole said = readHeading(reading.textOf(note)).state; said != TestRole::notStated)
+            state = said == TestRole::asFound ? "asFound" : "asLeft";
+    }
+    return {notes.machine,
+            notes.serialNumber,
+            notes.date.value_or(std::string()),
+            notes.dateText,
+            notes.plane,
+            notes.radius ? shortest(*notes.radius) + " mm" : std::string(),
+            notes.axis,
+            state,
+            notes.unit.words()};
+}
+
 } // namespace
 
 TableReading::TableReading(Imported &imported, Choices &chosen)
@@ -112,6 +142,7 @@ TableReading::TableReading(Imported &imported, Choices &chosen)
     , body(bodyOf(imported.table, chosenNumbers(chosen)))
     , notes(notesOf(imported.table, body, chosen.chosen("axis"))) {
     keepOneTable(result.table, body, chosenTable(chosen));
+    keepOneTest();
     std::size_t cells = 0;
     for (const TableRow &each : result.table.rows())
         cells = std::max<std::size_t>(cells, each.first + each.count); // rows may be in any order
@@ -122,6 +153,69 @@ TableReading::TableReading(Imported &imported, Choices &chosen)
     }
     result.remarks.insert(result.remarks.end(), body.remarks.begin(), body.remarks.end());
     askForTable();
+}
+
+/// Keeps the blocks of one machine, day, plane and radius, asked if the lines above them state several. Axes
+/// and states have choices of their own.
+void TableReading::keepOneTest() {
+    constexpr std::size_t mostBlocks = 1000;
+    std::vector<BlockFacts> blocks;
+    if (body.blocks.size() > mostBlocks)
+        return;
+    for (const TableBlock &block : body.blocks)
+        blocks.push_back(factsOf(*this, block));
+    const auto differ = [&](std::size_t fact) {
+        std::set<std::string_view> said;
+        for (const BlockFacts &block : blocks)
+            said.insert(block[fact]);
+        said.erase(std::string_view());
+        return said.size() > 1;
+    };
+    if (differ(unitFact))
+        remarks.problem("unit",
+                        REPORT_TEXT("report", "Unit: the lines above the blocks of numbers name several; "
+                                              "all are read in one."));
+    if (differ(factsOfTest) || differ(factsOfTest + 1))
+        return;
+    std::vector<std::string> tests(blocks.size());
+    for (std::size_t fact = 0; fact < factsOfTest; ++fact) {
+        if (!differ(fact))
+            continue;
+        const auto states = [fact](const BlockFacts &block) { return !block[fact].empty(); };
+        std::string last = (*std::ranges::find_if(blocks, states))[fact]; // holds until another is stated
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            last = states(blocks[i]) ? blocks[i][fact] : last;
+            tests[i] += (tests[i].empty() ? "" : ", ") + last;
+        }
+    }
+    std::vector<std::string> different;
+    std::string list;
+    for (const std::string &test : tests) {
+        if (std::ranges::find(different, test) == different.end()) {
+            different.push_back(test);
+            list += (list.empty() ? "" : "; ") + test;
+        }
+    }
+    if (different.size() < 2)
+        return;
+    const std::string read = choices.resolve("part", different.front(), Origin::guessed).value;
+    different.push_back(list); // all as one test
+    if (std::ranges::find(different, read) == different.end())
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), nameOfChoice("part"), read, list);
+    remarks
+        .problem("part",
+                 REPORT_TEXT("report", "Lines: those above the blocks of numbers name several tests (%1); "
+                                       "the blocks of “%2” are read."),
+                 list, read)
+        .answers = different;
+    for (std::size_t i = blocks.size(); i-- > 0 && read != list;) {
+        if (tests[i] == read)
+            continue;
+        const std::vector<std::uint32_t> titles = titlesOf(body.blocks[i]);
+        std::erase_if(body.notes, [&](auto note) { return std::ranges::find(titles, note) != titles.end(); });
+        body.blocks.erase(body.blocks.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    notes = notesOf(result.table, body, choices.chosen("axis"));
 }
 
 void TableReading::askForTable() {

@@ -69,6 +69,7 @@ public:
 
 private:
     void askForTable();
+    void keepOneTest();
     std::optional<double> noNumber(std::uint32_t index, std::size_t column);
 
     std::size_t m_missingWords = 0;

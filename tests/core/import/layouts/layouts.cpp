@@ -438,6 +438,14 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("a target twice in a list",
         "Run;Direction;P (mm);Dev (µm)\n1;+;0;1\n1;+;100;2\n1;+;100;9\n1;-;0;5\n1;-;100;6\n1;-;100;8\n",
         "number,direction,target,deviation / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ – 9 / ↓ – 8 / layout");
+    // Letters below a heading that names directions.
+    for (const auto &[heading, up, down] :
+         {std::tuple("Direction", "F", "R"), std::tuple("Richtung", "V", "R"), std::tuple("Sens", "A", "R"),
+          std::tuple("Direction", "P", "N"), std::tuple("Approach", "from -", "from +")})
+        QTest::newRow(qPrintable(QString("letters %1 and %2").arg(up, down)))
+            << QByteArray("P (mm);") + heading + ";Dev (µm)\n0;" + down + ";5\n100;" + down + ";7\n0;" + up +
+                   ";1\n100;" + up + ";3\n"
+            << QString("target,direction,deviation / 0 100 / ↓ 5 7 / ↑ 1 3 / directions");
     // Blocks that may be tests of their own.
     row("before and after",
         "Before compensation\nP (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n\n"
@@ -536,12 +544,19 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         QTest::newRow(words)
             << QByteArray(words) + "\nAngle (°);Deviation (µm)\n270;0\n180;1\n90;2\n0;1\n"
             << QString("angle,deviation / ISO 230-4:2005 XY R 150 mm F – / ccw polar 4: 0:1 90:2 "
-                       "180:1 270:0 / nominalRadius");
+                       "180:1 270:0 / nominalRadius sense");
     for (const char *words : {"Im Uhrzeigersinn", "sens des aiguilles d'une montre", "senso orario", "SH"})
         QTest::newRow(words)
             << QByteArray(words) + "\nAngle (°);Deviation (µm)\n0;1\n90;2\n180;1\n270;0\n"
             << QString("angle,deviation / ISO 230-4:2005 XY R 150 mm F – / cw polar 4: 270:0 180:1 "
-                       "90:2 0:1 / nominalRadius");
+                       "90:2 0:1 / nominalRadius sense");
+    row("a sense in prose",
+        "Radius: 80 mm\nRotary table turned clockwise before the test\nAngle (°);Deviation "
+        "(µm)\n0;1\n90;2\n180;1\n270;0\n",
+        "angle,deviation / ISO 230-4:2005 XY R 80 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / ");
+    row("deviations at nominal points",
+        "Radius: 80 mm\nX nominal (mm);Y nominal (mm);Deviation (µm)\n80;0;1\n0;80;2\n-80;0;1\n0;-80;0\n",
+        "x,y,deviation / ISO 230-4:2005 XY R 80 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / ");
     row("two columns beside the angles, and no word for the sense",
         "Radius: 100 mm\nAngle (°);Deviation links (µm);Deviation rechts "
         "(µm)\n0;1;4\n90;2;5\n180;1;4\n270;0;3\n",
@@ -939,6 +954,24 @@ void LayoutsTest::answersAreTaken_data() {
     QTest::newRow("a machine that is not there") << machines << "part"
                                                  << "C 3"
                                                  << "refused";
+    QTest::newRow("the angles count clockwise")
+        << QByteArray("Direction: CW\nRadius: 80 mm\nAngle (°);Deviation (µm)\n0;1\n90;2\n180;1\n270;0\n")
+        << "sense"
+        << "mirrored"
+        << "angle,deviation / ISO 230-4:2005 XY R 80 mm F – / cw polar 4: 0:1 -90:2 -180:1 -270:0 / ";
+    QTest::newRow("the sense of the angles")
+        << QByteArray("Direction: CW\nRadius: 80 mm\nAngle (°);Deviation (µm)\n0;1\n90;2\n180;1\n270;0\n")
+        << "sense"
+        << "angles"
+        << "angle,deviation / ISO 230-4:2005 XY R 80 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / ";
+    const QByteArray days = "Date: 2026-03-14\nForward\nP (mm);Run 1 (µm)\n0;1\n100;3\n\n"
+                            "Date: 2026-06-14\nBackward\nP (mm);Run 1 (µm)\n0;5\n100;7\n";
+    QTest::newRow("the other day") << days << "part"
+                                   << "2026-06-14"
+                                   << "target,run1 / 0 100 / ↓ 5 7 / ";
+    QTest::newRow("both days") << days << "part"
+                               << "2026-03-14; 2026-06-14"
+                               << "target,run1 / 0 100 / ↑ 1 3 / ↓ 5 7 / ";
     QTest::newRow("columns") << axes << "columns"
                              << "target,ignored,ignored,ignored,run-"
                              << "target,ignored,ignored,ignored,run- / 0 100 / ↓ 40 60 / ";

@@ -108,7 +108,36 @@ private slots:
                           "(µm)\n0;1;2;3;4\n100;3;4;5;6\n200;5;6;7;8\n")
             << "columns";
         const QByteArray block = "\nTarget (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
-        QTest::newRow("two machines") << "Machine: A" + block + "\nMachine: B" + block << "layout";
+        QTest::newRow("two machines") << "Machine: A" + block + "\nMachine: B" + block << "part";
+        QTest::newRow("planes of two circles")
+            << QByteArray("Radius: 100 mm\nPlane: XY\nAngle (°);Deviation (µm)\n0;1\n90;2\n180;3\n\n"
+                          "Radius: 150 mm\nPlane: ZX\nAngle (°);Deviation (µm)\n0;4\n90;5\n180;6\n")
+            << "part";
+        QTest::newRow("units of two blocks")
+            << QByteArray("Forward\nUnit: µm\nTarget (mm);Run 1\n0;1.5\n100;3.5\n\n"
+                          "Backward\nUnit: nm\nTarget (mm);Run 1\n0;500\n100;700\n")
+            << "unit";
+        const QByteArray numbered = "\nTarget (mm);Run 1 (µm);Run 2 (µm);Run 3 (µm);Run 4 "
+                                    "(µm)\n0;9;1;8;2\n100;7;2;9;1\n200;9;3;7;2\n";
+        for (const char *line : {"Runs 1,3: backward; runs 2,4: forward", "Odd runs: negative direction",
+                                 "First run in the reverse direction"})
+            QTest::newRow(line) << line + numbered << "directions";
+        for (const char *line : {"Forward = negative direction", "+ = negative direction of the axis"})
+            QTest::newRow(line) << line + block << "directions";
+        for (const char *cells : {"L;R", "1st;2nd", "3;4"}) {
+            const QList<QByteArray> cell = QByteArray(cells).split(';');
+            QTest::newRow(qPrintable(QString("directions ") + cells))
+                << "Target (mm);Direction;Deviation (µm)\n0;" + cell[0] + ";9\n100;" + cell[0] + ";8\n0;" +
+                       cell[1] + ";1\n100;" + cell[1] + ";2\n"
+                << (cells[0] == '3' ? "columns" : "directions");
+        }
+        const QByteArray circle = "\nRadius: 80 mm\nPlane: XY\nAngle (°);Deviation (µm)\n0;1\n90;2\n180;3\n";
+        for (const char *line : {"Direction: CW", "Sense: positive angles are clockwise", "CW then CCW"})
+            QTest::newRow(line) << line + circle << "sense";
+        for (const char *columns :
+             {"X (mm);Y (mm);Deviation (µm)\n80;0;5\n0;80;-7\n-80;0;4\n0;-80;9\n",
+              "Angle (°);Radius (mm);Deviation (µm)\n0;80.001;3\n90;80.002;6\n180;80.001;3\n270;80;0\n"})
+            QTest::newRow(columns) << QByteArray("Radius: 80 mm\nPlane: XY\n") + columns << "columns";
         QTest::newRow("two feeds") << "F1000" + block + "\nF5000" + block << "layout";
         const QByteArray runs =
             "\nTarget (mm);Up 1 (µm);Down 1 (µm);Up 2 (µm);Down 2 (µm)\n0;1;2;3;4\n150;5;6;7;8\n";
@@ -116,9 +145,10 @@ private slots:
              {std::pair("Test 1 2026-03-02", "Test 2 2026-03-03"), std::pair("Test 1", "Test 2"),
               std::pair("Essai 1 du 23/02/2026", "Essai 2 du 24/02/2026"), std::pair("Run 1", "Run 2"),
               std::pair("Prova 1", "Prova 2"), std::pair("Run 1 of 12 March", "Run 2 of 13 March")})
-            QTest::newRow(first) << first + runs + '\n' + second + runs << "layout";
+            QTest::newRow(first) << first + runs + '\n' + second + runs
+                                 << (QByteArray(first).contains("2026") ? "part" : "layout");
         QTest::newRow("runs of two days")
-            << "Run 1 02.03.2026" + block + "\nRun 2 03.03.2026" + block << "layout";
+            << "Run 1 02.03.2026" + block + "\nRun 2 03.03.2026" + block << "part";
         QTest::newRow("letters behind directions")
             << QByteArray("Target (mm);Fwd A (µm);Bwd A (µm);Fwd B (µm);Bwd B (µm)\n0;1;2;3;4\n100;3;4;5;6\n")
             << "columns";
@@ -158,12 +188,31 @@ private slots:
     /// Lines found above many tables that say nothing of their numbers raise no doubt.
     void doubtsNothingElse() {
         const QByteArray table = "Target (mm);Fwd 1;Rev 1\n0;1.5;2\n100;3;4\n200;5;6\n";
-        for (const char *line :
-             {"Resolution 0.1 µm", "Laser: XL-80", "Travel 500 mm", "Measured in hall 3",
-              "Scale: Heidenhain LS 187", "Sign-off: QA", "Signature: J. Doe", "Dead path 0.1 m",
-              "Uncertainty 0.5 µm", "Rate 10 in/min", "Test 1/10", "Values after compensation", "Grid 100 mm",
-              "Deviations in µm", "Calibration date: 2023-01-01"}) {
+        for (const char *line : {"Resolution 0.1 µm",
+                                 "Laser: XL-80",
+                                 "Travel 500 mm",
+                                 "Measured in hall 3",
+                                 "Scale: Heidenhain LS 187",
+                                 "Sign-off: QA",
+                                 "Signature: J. Doe",
+                                 "Dead path 0.1 m",
+                                 "Uncertainty 0.5 µm",
+                                 "Rate 10 in/min",
+                                 "Test 1/10",
+                                 "Values after compensation",
+                                 "Grid 100 mm",
+                                 "Deviations in µm",
+                                 "Calibration date: 2023-01-01",
+                                 "Warm-up 30 min before test",
+                                 "Laser re-zeroed after run 1 down",
+                                 "Humidity up to 60 %",
+                                 "Forward = positive direction",
+                                 "State: after compensation",
+                                 "Measured after adjustment, to be compared with before adjustment"}) {
             const Imported imported = importMeasurement(line + ("\n" + table), "x.csv");
+            QVERIFY2((imported.test->role != TestRole::notStated) ==
+                         QByteArray(line).contains("compensation"),
+                     line);
             QVERIFY2(std::ranges::all_of(imported.questions, &Question::canBeAssumed),
                      qPrintable(QString(line) + testdata::questions(imported)));
         }
