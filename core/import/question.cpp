@@ -43,9 +43,12 @@ void joinRemarks(Remarks &remarks) {
     std::map<std::tuple<RemarkGrade, std::string, std::string>, std::size_t> first;
     Remarks joined;
     for (Remark &remark : remarks) {
-        const auto [place, isNew] =
+        const auto [place, isFirst] =
             first.try_emplace({remark.grade, remark.message.text.source, remark.choice}, joined.size());
-        if (isNew) {
+        // What is of no line differs by its words alone: one sensor, one run.
+        const bool isOther = !isFirst && remark.line == 0 && remark.message != joined[place->second].message;
+        if (isFirst || isOther) {
+            place->second = joined.size();
             joined.push_back(std::move(remark));
         } else {
             Remark &known = joined[place->second];
