@@ -5,27 +5,24 @@
 #include "document/place.h"
 #include "tables/numbercell.h"
 
+#include <algorithm>
+
 namespace palmer {
 
-void QuotedLines::add(std::size_t line, std::string_view text) {
-    constexpr std::size_t mostQuoted = 5;
-    constexpr std::size_t longest = 40; // bytes, shortened to whole characters
-    if (++m_count > mostQuoted + 1)
+void QuotedLines::add(std::size_t line, std::string_view text, std::string_view sheet) {
+    constexpr std::size_t longest = 16'000; // bytes of all
+    ++m_count;
+    if (m_quoted.size() > longest)
         return;
     m_quoted += m_count > 1 ? "; " : "";
-    if (m_count > mostQuoted) {
-        m_quoted += "…";
-        return;
-    }
-    std::string quoted = excerpt(withoutBlanks(text));
-    if (quoted.size() > longest) {
-        std::size_t end = longest;
-        while ((static_cast<unsigned char>(quoted[end]) & 0xC0U) == 0x80U)
-            --end;
-        quoted.resize(end);
-        quoted += "…";
-    }
-    m_quoted += std::to_string(line) + ": " + quoted;
+    if (!sheet.empty())
+        m_quoted += excerpt(sheet) + ' ';
+    std::string shown(withoutBlanks(text));
+    std::ranges::replace_if(
+        shown, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+    m_quoted += std::to_string(line) + ": " + shown;
+    if (m_quoted.size() > longest)
+        m_quoted += "; …";
 }
 
 void QuotedLines::remarkUsed(Remarks &remarks) const {

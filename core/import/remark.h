@@ -73,10 +73,10 @@ public:
     }
 };
 
-/// Counts unused lines of text and quotes the first ones.
+/// Counts lines of text and quotes them.
 class QuotedLines {
 public:
-    void add(std::size_t line, std::string_view text);
+    void add(std::size_t line, std::string_view text, std::string_view sheet = {});
     /// Adds a note that they were read, if there are any.
     void remarkUsed(Remarks &remarks) const;
     /// Adds a note that they were not used, if there are any.
