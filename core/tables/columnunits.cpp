@@ -4,6 +4,7 @@
 #include "tables/table.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -166,10 +167,25 @@ void CellTable::takeUnits() {
     if (!std::exchange(m_saysUnits, false))
         return;
     UnitTaker(*this).take();
+    /// True for a cell that displays another unit than the heading above it.
+    const auto deniesHeading = [this](std::uint32_t index) {
+        const auto below = std::ranges::upper_bound(m_rows, index, {}, &TableRow::first);
+        const std::size_t column = index - std::prev(below)->first;
+        constexpr std::ptrdiff_t mostHeads = 100;
+        for (auto row = m_rows.begin(); row != below && row - m_rows.begin() < mostHeads; ++row) {
+            const auto cells = this->cells(*row);
+            const Unit *unit = column < cells.size() && cells[column].kind == CellKind::text
+                                   ? unitIn(text(cells[column]))
+                                   : nullptr;
+            if (unit && row + 1 != below)
+                return unit->kind != UnitKind::time && unit != unitIn(text(m_cells[index]));
+        }
+        return false;
+    };
     // A unit that few cells of a column display is none of the column.
     for (const auto &[index, number] : std::exchange(m_formatted, {})) {
         TableCell &cell = m_cells[index];
-        if (cell.kind == CellKind::text) {
+        if (cell.kind == CellKind::text && !deniesHeading(index)) {
             cell.kind = CellKind::number;
             cell.value = number;
         }
