@@ -5504,10 +5504,6 @@
         <translation>c’est une mesure angulaire d’un axe linéaire (tangage, lacet), et non un essai de positionnement&#x202f;; mesurer l’axe avec une optique linéaire</translation>
     </message>
     <message>
-        <source>Statements are also taken from the sheets without a table: %1.</source>
-        <translation>Des indications sont aussi tirées des feuilles sans tableau&#xa0;: %1.</translation>
-    </message>
-    <message>
         <source>--zone reaches beyond the axis, which goes from %1 to %2</source>
         <translation>--zone dépasse l’axe, qui va de %1 à %2</translation>
     </message>
@@ -8699,8 +8695,32 @@
         <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» est lu aussi comme le titre des colonnes sans titre qui suivent.</translation>
     </message>
     <message>
-        <source>Temperatures in “%1” are not read, only those in °C.</source>
-        <translation>Les températures en «&#xa0;%1&#xa0;» ne sont pas lues, seulement celles en °C.</translation>
+        <source>“%1” has values that no room and no machine has: %2. Are the sensor and the unit right?</source>
+        <translation>«&#xa0;%1&#xa0;» a des valeurs qu’aucun local ni aucune machine n’atteint&#xa0;: %2. Le capteur et l’unité sont-ils les bons&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Times: the lines are counted; they are %1 apart.</source>
+        <translation>Temps&#xa0;: les lignes sont comptées, à %1 d’intervalle.</translation>
+    </message>
+    <message>
+        <source>“%1” ends the table within a number: the file seems to be cut short.</source>
+        <translation>«&#xa0;%1&#xa0;» termine le tableau au milieu d’un nombre&#xa0;: le fichier semble tronqué.</translation>
+    </message>
+    <message>
+        <source>Line %1 says “%2”: are the readings right as they stand?</source>
+        <translation>La ligne %1 dit «&#xa0;%2&#xa0;»&#xa0;: les relevés sont-ils justes tels quels&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Statements on the readings</source>
+        <translation>Indications sur les relevés</translation>
+    </message>
+    <message>
+        <source>Temperatures of a sensor</source>
+        <translation>Températures d’un capteur</translation>
+    </message>
+    <message>
+        <source>Temperatures in “%1” are not read, only those in °C, °F or K.</source>
+        <translation>Les températures en «&#xa0;%1&#xa0;» ne sont pas lues, seulement celles en °C, °F ou K.</translation>
     </message>
     <message>
         <source>expected the number of a run, from 1 to %1</source>

@@ -164,6 +164,10 @@ const auto keys = std::to_array<ImportKey>({
      Asked::doubt},
     {"zeros", REPORT_TEXT("report", "Readings that are all equal"), ImportValue::word, keepWords,
      Asked::doubt},
+    {"statement", REPORT_TEXT("report", "Statements on the readings"), ImportValue::word, keepWords,
+     Asked::doubt},
+    {"temperatures", REPORT_TEXT("report", "Temperatures of a sensor"), ImportValue::word, keepWords,
+     Asked::doubt},
     {"unequalRuns", REPORT_TEXT("report", "Unequal numbers of runs"), ImportValue::word, keepWords,
      Asked::doubt},
 });

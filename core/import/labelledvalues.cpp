@@ -36,6 +36,9 @@ std::string textOf(const CellTable &table, const TableCell &cell) {
     for (std::size_t at = text.find("\"\""); isQuoted && at != std::string::npos;
          at = text.find("\"\"", at + 1))
         text.erase(at, 1);
+    constexpr std::string_view wideColon = "：";
+    if (const std::size_t at = text.find(wideColon); at != std::string::npos)
+        text.replace(at, wideColon.size(), ":");
     return text;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace palmer {
@@ -76,24 +77,44 @@ constexpr std::array labelRows{
         "luftfeuchte,luftfeuchtigkeit,relative luftfeuchte,relative luftfeuchtigkeit,rel luftfeuchte,feuchte,"
         "umidita,umidita relativa,humedad,humedad relativa",
         " the l d of "},
+    LabelRow{NoteFact::correctionTo20,
+             "corrected to 20,correction to 20,compensated to 20,normalised to 20,normalized to "
+             "20,korrigiert auf 20,"
+             "korrektur auf 20,corrige a 20,corrigee a 20,correction a 20,corretto a 20,correzione a "
+             "20,corregido a 20,"
+             "correccion a 20",
+             " c degc deg "},
+    LabelRow{NoteFact::calibration,
+             "calibrated,length calibrated,ballbar calibrated,kalibriert,etalonne,calibrato,calibrado", " "},
 };
 
 constexpr WordList temperatureWords = " temp temperature temperatures temperatur temperatura t° ";
 constexpr std::string_view temperatureCompound = "temperatur"; // "Lufttemperatur"
 
-/// A temperature with one of these words is no reading of a sensor, or not one during the test.
-constexpr WordList notMeasured =
-    " reference referenz ref bezug bezugs referencia riferimento coefficient coeff coefficiente coeficiente "
-    "koeffizient gradient gradiente limit limite limits grenze grenzwert max min maximum minimum correction "
-    "correzione correccion korrektur compensation kompensation compensazione compensacion difference "
-    "differenz "
-    "differenza diferencia delta drift drifts variation tolerance toleranz time temps zeit expansion range "
-    "plage "
-    "spanne bereich set setpoint soll consigne nominal target calibration kalibrierung etalonnage change "
-    "standard "
-    "norm normal stability stabilite allowed permitted admissible zulassig hours duration duree probe probes "
-    "number nombre anzahl count interval rate resolution accuracy uncertainty unsicherheit incertitude "
-    "error ";
+/// A temperature is the reading of a sensor only if all its words are here: "rise", "limit", "before" are
+/// not.
+constexpr WordList sensorPlaces = " air luft aria aire ambient ambiant ambiante ambiance ambiente umgebung "
+                                  "umgebungs room raum local salle atelier "
+                                  "sala hall halle shop workshop werkstatt lab labor environment "
+                                  "environnement laser interferometer instrument "
+                                  "ballbar scale massstab massstabs regle riga material materials mat "
+                                  "matiere materiau materiaux materiale pezzo "
+                                  "workpiece werkstuck werkstucks werkstoff piece part table tisch tavola "
+                                  "mesa bed bett banc bancale bancada "
+                                  "spindle spindel broche mandrino husillo ballscrew screw ball nut mutter "
+                                  "kugelgewindetrieb gewindespindel vis "
+                                  "ecrou vite column saule stander colonne colonna columna head kopf tete "
+                                  "testa cabezal frame rahmen bati guide "
+                                  "rail coolant kuhlmittel kuhlschmierstoff oil ol huile olio aceite water "
+                                  "wasser eau acqua motor moteur motore "
+                                  "bearing lager palier front rear back left right top bottom upper lower "
+                                  "vorn vorne hinten links rechts oben "
+                                  "unten haut bas gauche droite avant arriere surface floor boden sol "
+                                  "measured gemessen gemessene mesuree actual "
+                                  "current axis axe achse achsen asse eje x y z u v w a b c no nr "
+                                  "of the in on at de d del dell della di du des la le l les der die das dem "
+                                  "von am an im il lo el test essai "
+                                  "messung c deg degc f degf k ";
 constexpr WordList sensorWords = " sensor sensors sonde sondes fuhler capteur capteurs sensore sensori ";
 constexpr WordList startWords = " start begin beginning initial debut anfang anfangs beginn inizio inicio ";
 constexpr WordList endWords = " end final finish fin ende fine schluss ";
@@ -166,14 +187,24 @@ bool isTemperatureWord(const std::string &word) {
            (word.ends_with(temperatureCompound) || word.ends_with("temperaturen"));
 }
 
+bool isSensorWord(std::string word) {
+    if (word.ends_with("temperaturen"))
+        word.resize(word.size() - 2);
+    if (word.ends_with(temperatureCompound)) // "Lufttemperatur"
+        word.resize(word.size() - temperatureCompound.size());
+    const auto isKnown = [](const std::string &each) {
+        return each.empty() || isNumber(each) || isIn(temperatureWords, each) || isIn(sensorPlaces, each) ||
+               isIn(sensorWords, each) || isIn(startWords, each) || isIn(endWords, each) ||
+               isIn(machineWords, each);
+    };
+    const bool isGenitive = word.size() > 4 && word.ends_with('s'); // "Umgebungstemperatur"
+    return isKnown(word) || (isGenitive && isKnown(word.substr(0, word.size() - 1)));
+}
+
 bool isTemperature(const std::vector<std::string> &words) {
-    if (std::ranges::none_of(words, isTemperatureWord) || anyIn(notMeasured, words))
-        return false;
-    const bool isReference = std::ranges::any_of(words, [](const std::string &word) {
-        return word.starts_with("bezugs") || word.starts_with("referenz") || word.starts_with("soll");
-    });
     // "Temperature sensor: 2" counts or numbers them; "Temperature sensor 2: 20.5" is a reading.
-    return !isReference && (!anyIn(sensorWords, words) || std::ranges::any_of(words, isNumber));
+    return std::ranges::any_of(words, isTemperatureWord) && std::ranges::all_of(words, isSensorWord) &&
+           (!anyIn(sensorWords, words) || std::ranges::any_of(words, isNumber));
 }
 
 bool isNamed(const LabelRow &row, const std::vector<std::string> &words) {
@@ -224,6 +255,30 @@ bool namesMachine(std::string_view label) {
     return anyIn(machineNames, wordsOf(label));
 }
 
+bool namesSerialNumber(std::string_view label) {
+    constexpr WordList serialWords = " serial sn seriennummer seriennr serien serie matricola ";
+    return anyIn(serialWords, wordsOf(label));
+}
+
+const Unit *temperatureUnitIn(std::string_view text) {
+    const std::vector<std::string> words =
+        wordsOf(text.substr(std::min(text.find_first_not_of("(["), text.size())));
+    if (words.empty())
+        return nullptr;
+    for (const auto &[list, unit] : {std::pair(" c degc celsius ", "C"),
+                                     std::pair(" f degf fahrenheit ", "F"), std::pair(" k kelvin ", "K")}) {
+        if (isIn(list, words.back()))
+            return unitOf(unit);
+    }
+    return nullptr;
+}
+
+bool isPlausibleTemperature(double celsius) {
+    constexpr double lowest = -20;
+    constexpr double highest = 60;
+    return celsius >= lowest && celsius <= highest;
+}
+
 bool namesInstrument(std::string_view label) {
     return anyIn(instrumentWords, wordsOf(label)) && !namesMachine(label);
 }
@@ -235,7 +290,7 @@ TemperatureLabel temperatureLabel(std::string_view label) {
     result.isEnd = !isStart && anyIn(endWords, words);
     const std::size_t bracket = label.find_first_of("([");
     const bool isUnit = bracket != std::string_view::npos &&
-                        folded(label.substr(bracket)).find_first_not_of("([ °degc])") == std::string::npos;
+                        folded(label.substr(bracket)).find_first_not_of("([ °degcfk])") == std::string::npos;
     const std::string shown(withoutBlanks(isUnit ? label.substr(0, bracket) : label));
     std::string word;
     const auto take = [&] {
@@ -276,8 +331,9 @@ bool namesOtherDay(std::string_view text) {
 }
 
 SensorMeasures measuredBy(std::string_view name) {
-    constexpr std::array<std::string_view, 12> air{"air",  "ambi",     "luft",  "aria",    "aire",  "room",
-                                                   "raum", "umgebung", "salle", "atelier", "local", "sala"};
+    constexpr std::array<std::string_view, 13> air{"air",     "ambi",  "luft", "aria",     "aire",
+                                                   "room",    "hall",  "raum", "umgebung", "salle",
+                                                   "atelier", "local", "sala"};
     constexpr std::array<std::string_view, 6> instrument{"instrument", "ballbar", "scale",
                                                          "laser",      "etalon",  "strument"};
     const std::string low = folded(name);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/measurement/conditions.h"
+#include "kernel/words/unit.h"
 
 #include <optional>
 #include <string>
@@ -24,6 +25,8 @@ enum class NoteFact {
     airPressure,
     airHumidity,
     temperature,
+    correctionTo20,
+    calibration, ///< of the length of a ballbar
 };
 
 /// Returns the fact that a label names as a whole: "Machine", "Serial no. of the machine", "Date d'essai".
@@ -38,6 +41,12 @@ enum class NoteFact {
 /// True for a label that names an instrument and no machine: "Laser", "Messgerät".
 [[nodiscard]] bool namesInstrument(std::string_view label);
 [[nodiscard]] bool namesMachine(std::string_view label);
+[[nodiscard]] bool namesSerialNumber(std::string_view label);
+
+/// The unit of temperatures at the end of a text: "°F", "(K)", "Air temp. [F]"; null if there is none.
+[[nodiscard]] const Unit *temperatureUnitIn(std::string_view text);
+/// False for the 85 or −127 °C of a broken sensor.
+[[nodiscard]] bool isPlausibleTemperature(double celsius);
 
 /// The sensor that the label of a temperature names; `isEnd`: its value is that at the end of the test.
 struct TemperatureLabel {

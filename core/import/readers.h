@@ -9,6 +9,7 @@
 #include <QByteArrayView>
 #include <QString>
 #include <array>
+#include <vector>
 
 namespace palmer {
 
@@ -37,8 +38,8 @@ void takeDate(const std::optional<std::string> &date, const std::string &text, T
 /// Takes what a file states beside its table where nothing is stated yet.
 void takeNotes(const FileNotes &notes, Imported &imported);
 
-/// Reads a measurement from the table of a text or sheet.
-void readMeasurementTable(Choices &choices, Imported &imported);
+/// Reads a measurement from the table of a text or sheet, and what the sheets without one say of it.
+void readMeasurementTable(Choices &choices, Imported &imported, const std::vector<CoverSheet> &covers = {});
 
 /// Throws Error with advice for a compensation table of a control, recognised also by its suffix.
 void refuseCompensationTable(QByteArrayView bytes, const QString &fileName);

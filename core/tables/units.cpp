@@ -25,11 +25,11 @@ struct ForeignUnits {
 // No single letters, which are axes and directions, and no words used in brackets after headings for other
 // reasons: "(rev)", "(inc)", "(pm)", "(turn)", "(NA)".
 constexpr std::array<ForeignUnits, 8> foreignUnits{{
-    {false, "ppm|ppb|%|‰|°f|degf|fahrenheit|kelvin|percent|prozent|pourcent"},
+    {false, "ppm|ppb|%|‰|percent|prozent|pourcent"},
     {false, "angstrom|ångström|ångstrom|furlong|furlongs|thou|thous|mils|nrad|mgon|cgon"},
     {false, "mv|uv|kv|ma|khz|mhz|ghz|hpa|kpa|mpa|mbar|mmhg|psi|rpm|u/min|tr/min|1/min"},
     {true, "dm|km|å|mil|ft|foot|feet|pied|pieds|yd|yard|yards|lambda|λ|λ/2|λ/4|λ/8"},
-    {true, "deg f|volt|volts|ampere|amp|amps|ua|hz|newton|mn|kn|n·m|pa|bar|kg|lb|lbs|kw|mw|db|ohm|ω|kω"},
+    {true, "volt|volts|ampere|amp|amps|ua|hz|newton|mn|kn|n·m|pa|bar|kg|lb|lbs|kw|mw|db|ohm|ω|kω"},
     {true, "digit|digits|count|counts|cts|increments|incréments|inkremente|incrementi|incrementos|pulses|"
            "impulse|impulses|impulsions|steps|pixel|pixels|px|lsb|fringes|franges|% rh|%rh|%rf|vol%"},
     {true,
@@ -93,15 +93,19 @@ constexpr std::array spellings{
     Spelling{"cm", "cm"},           Spelling{"gon", "gon"},        Spelling{"мм", "mm"},
     Spelling{"мкм", "um"},          Spelling{"毫米", "mm"},        Spelling{"微米", "um"},
     Spelling{"ミクロン", "um"},     Spelling{"ミリ", "mm"},        Spelling{"度", "deg", true},
-    Spelling{"'", "arcmin", true},  Spelling{"’", "arcmin", true},
+    Spelling{"'", "arcmin", true},  Spelling{"’", "arcmin", true}, Spelling{"°f", "F"},
+    Spelling{"degf", "F"},          Spelling{"fahrenheit", "F"},   Spelling{"deg f", "F", true},
+    Spelling{"k", "K", true},       Spelling{"kelvin", "K"},       Spelling{"celsius", "C"},
 };
 
 /// Full names of units in the languages of headings.
-constexpr std::array<std::pair<const char *, std::string_view>, 12> fullNames{{
+constexpr std::array<std::pair<const char *, std::string_view>, 13> fullNames{{
     {"mm", "millimetres|millimeters|millimètre|millimètres|millimetri|milímetros"},
     {"um", "micrometres|micrometers|micromètres|mikrometer|mikron|micrometri|micrómetros|microns|micras"},
     {"nm", "nanometre|nanometres|nanometer|nanometers|nanomètre|nanomètres"},
     {"cm", "centimetre|centimetres|centimeter|centimeters|zentimeter|centimètre|centimètres"},
+    {"uin", "microinch|microinches|micro-inch|micro-inches|u-inch|uinches|micropouce|micropouces|mikrozoll|"
+            "micropollici|micropulgadas"},
     {"in", "zoll|pouce|pouces|pollici|pulgadas"},
     {"deg", "degré|gradi|grados"},
     {"mdeg", "millidegree|millidegrees|millideg|millidegré|millidegrés"},
@@ -188,7 +192,7 @@ std::string_view bracketed(std::string_view text) {
 /// or feed. Empty if there is no such fraction.
 SaidUnit partOfUnit(const std::string &text) {
     static const QRegularExpression part(QStringLiteral(
-        R"((?<![\d.,])(?:1\s*/\s*(10+)|0[.,](0*)1|10\s*(?:\^|\*\*)?\s*[-−⁻]\s*([1-9¹²³⁴⁵⁶⁷⁸⁹]))\s*[x×*·]?\s*(mm|um|nm|cm|m|in|inch|deg|°|arcsec|″)(?![A-Za-z]))"));
+        R"((?<![\d.,])(?:1\s*/\s*(10+)|0[.,](0*)1|10\s*(?:\^|\*\*)?\s*[-−⁻]\s*([1-9¹²³⁴⁵⁶⁷⁸⁹]))\s*[x×*·]?\s*(mm|um|nm|cm|m|in|inch|deg|°|arcsec|″|(?:micro|mikro|milli|nano)?met(?:re|er)s?|microns?|microm[eè]tres?|inches|micro-?inch(?:es)?)(?![A-Za-z]))"));
     const QString line = QString::fromStdString(text);
     const auto found = part.match(line);
     if (!found.hasMatch())

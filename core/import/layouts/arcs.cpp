@@ -28,7 +28,12 @@ void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::
         if (value > 0)
             measurement.feed = value;
     }
-    const auto calibrated = choices.resolve("calibrated", "not stated", Origin::guessed);
+    const std::optional<bool> stated = measurement.referenceLength.calibrated;
+    const auto calibrated = choices.resolve("calibrated",
+                                            !stated   ? "not stated"
+                                            : *stated ? "yes"
+                                                      : "no",
+                                            stated ? Origin::recognised : Origin::guessed);
     if (calibrated.value != "not stated")
         measurement.referenceLength.calibrated = calibrated.value == "yes";
     else

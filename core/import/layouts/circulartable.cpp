@@ -52,6 +52,7 @@ public:
     void read() {
         collectPaths();
         CircularMeasurement measurement;
+        measurement.referenceLength.calibrated = m.notes.isCalibrated;
         Test test;
         const bool isXy = m_columns.layout == "xy";
         resolveCircle(measurement, test.edition,
@@ -306,12 +307,19 @@ private:
         if (!fit.valid() || !(fit.radius > 0))
             refuseContent(REPORT_TEXT("report", "the points do not lie on a circle"));
         const bool atOrigin = std::hypot(fit.centre.x, fit.centre.y) < 0.2 * fit.radius;
-        const Origin origin = atOrigin ? Origin::recognised : Origin::guessed;
-        const double cx =
-            m.choices.resolveNumber("centreFirst", atOrigin ? 0 : rounded(fit.centre.x, 0.1), origin).value;
-        const double cy =
-            m.choices.resolveNumber("centreSecond", atOrigin ? 0 : rounded(fit.centre.y, 0.1), origin).value;
-        if (!atOrigin && !m.choices.isChosen("centreFirst"))
+        const std::string axes = planeOfHeadings();
+        const auto stated = [&](std::size_t axis) {
+            return axis < axes.size() ? m.notes.centre.find(axes[axis]) : m.notes.centre.end();
+        };
+        const bool isStated = stated(0) != m.notes.centre.end() && stated(1) != m.notes.centre.end();
+        const Origin origin = atOrigin || isStated ? Origin::recognised : Origin::guessed;
+        const auto centreOf = [&](const char *key, std::size_t axis, double fitted) {
+            const double found = isStated ? stated(axis)->second : atOrigin ? 0 : rounded(fitted, 0.1);
+            return m.choices.resolveNumber(key, found, origin).value;
+        };
+        const double cx = centreOf("centreFirst", 0, fit.centre.x);
+        const double cy = centreOf("centreSecond", 1, fit.centre.y);
+        if (origin == Origin::guessed && !m.choices.isChosen("centreFirst"))
             m.remarks.assumption(
                 "centreFirst", REPORT_TEXT("report", "Centre: nothing in the file says it; taken at %1; %2."),
                 Number{cx, Quantity::position}, Number{cy, Quantity::position});

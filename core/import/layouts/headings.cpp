@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace palmer {
@@ -109,6 +110,15 @@ std::optional<Sense> senseIn(std::string_view text) {
 }
 
 std::optional<double> clockTime(std::string_view text) {
+    constexpr double noon = 43'200;
+    for (const std::string_view half : {"am", "pm"}) { // "1:30 PM"
+        const std::string_view clock =
+            withoutBlanks(text.substr(0, text.size() - std::min<std::size_t>(text.size(), 2)));
+        if (text.size() < 2 || !sameWord(text.substr(text.size() - 2), half))
+            continue;
+        const auto time = clockTime(clock);
+        return time ? std::optional(std::fmod(*time, noon) + (half == "pm" ? noon : 0)) : std::nullopt;
+    }
     // The last blank-separated part, or what follows the T of ISO 8601.
     const std::size_t blank = text.find_last_of(" T");
     std::string_view clock = blank == std::string_view::npos ? text : text.substr(blank + 1);

@@ -52,6 +52,7 @@ public:
             beginCell(xml);
         } else if (name == "annotation") {
             ++m_annotation;
+            m_comment.clear();
         } else if (m_inCell && m_annotation == 0 && name == "p") {
             if (m_paragraphs++ > 0)
                 m_cell.text += ' ';
@@ -63,6 +64,8 @@ public:
     void end(std::string_view name) override {
         if (name == "annotation") {
             --m_annotation;
+            if (isWanted() && !m_comment.empty())
+                m_sheet.comments.add(m_line + 1, std::exchange(m_comment, {}));
         } else if (isWanted() && m_inCell && isCell(name)) {
             m_inCell = false;
             m_column = std::min(m_column + m_cell.repeats, 10'000'000);
@@ -84,6 +87,8 @@ public:
     void text(std::string_view text) override {
         if (m_inCell && m_annotation == 0 && m_paragraphs > 0 && m_cell.text.size() < longestSheetCell)
             m_cell.text += text;
+        else if (m_annotation > 0 && m_comment.size() < longestSheetCell)
+            m_comment += text;
     }
 
 private:
@@ -171,6 +176,7 @@ private:
     bool m_inCell = false;
     int m_paragraphs = 0;
     int m_annotation = 0;
+    std::string m_comment; ///< of a cell
 };
 
 } // namespace

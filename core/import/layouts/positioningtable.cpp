@@ -234,8 +234,9 @@ void askForOtherUnit(const FoundPasses &found, TableReading &reading) {
     const SaidUnit &noted = reading.notes.unit;
     const bool isSize =
         !noted.unit || noted.unit->kind == UnitKind::length || noted.unit->kind == UnitKind::angle;
-    if (found.unit.unit && noted.isSaid() && isSize && noted.unit != found.unit.unit &&
-        (!noted.unit || noted.unit != found.positionUnit.unit))
+    const Unit *unit = noted.unit || !reading.notes.factor.empty() ? noted.unit : unitIn(noted.foreign);
+    if (found.unit.unit && noted.isSaid() && isSize && unit != found.unit.unit &&
+        (!unit || unit != found.positionUnit.unit))
         reading.remarks.problem("unit",
                                 REPORT_TEXT("report", "Unit: a line says “%1”, the headings %2; read in %2."),
                                 excerpt(noted.words()), std::string(found.unit.unit->sign));

@@ -8,6 +8,7 @@
 #include "import/notelabels.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
+#include "tables/folded.h"
 
 #include <algorithm>
 #include <array>
@@ -167,6 +168,11 @@ private:
         if (!m_clock)
             return m.number(row, m_time);
         auto time = clockTime(m.cellText(row, m_time));
+        // "Time (mm:ss)": what would else be hours and minutes.
+        const std::string form = folded(m.body.columns[m_time].heading);
+        if (time && form.find("mm:ss") != std::string::npos && form.find("h:mm") == std::string::npos &&
+            std::ranges::count(m.cellText(row, m_time), ':') == 1)
+            *time /= 60;
         auto date = dayOf(m.cellText(row, m_time));
         if (!date && m_date)
             date = dayOf(m.cellText(row, *m_date));
@@ -188,9 +194,18 @@ private:
 
     /// Settles the unit of the times; returns it in seconds.
     double resolveTimeUnit() {
-        SaidUnit said = m.body.columns[m_time].said();
+        const TableColumn &column = m.body.columns[m_time];
+        SaidUnit said = column.said();
         if (!said.isSaid())
-            said = lastWord(m.body.columns[m_time].heading);
+            said = lastWord(column.heading);
+        if (!said.isSaid())
+            said = m.notes.timeUnit;
+        if (!said.isSaid() && m.notes.interval && isCounter(m, m_time) && !column.isTime()) {
+            m.remarks.note("timeUnit",
+                           REPORT_TEXT("report", "Times: the lines are counted; they are %1 apart."),
+                           Number{*m.notes.interval, Quantity::time});
+            return *m.notes.interval;
+        }
         const bool isTime = said.unit && said.unit->kind == UnitKind::time;
         // Milliseconds are a unit of files, not a choice.
         return resolveUnit(
@@ -244,19 +259,12 @@ private:
             Sensor sensor;
             sensor.position = withoutUnit(m.body.columns[column].heading);
             sensor.measures = measuredBy(sensor.position);
-            if (const SaidUnit said = m.body.columns[column].said();
-                said.isSaid() && !(said.unit && said.unit->kind == UnitKind::temperature)) {
-                m.remarks.problem(
-                    "unread", REPORT_TEXT("report", "Temperatures in “%1” are not read, only those in °C."),
-                    excerpt(said.words()));
-                continue;
-            }
             TemperatureSeries series;
-            for (std::size_t i = 0; i < m_rows.size(); ++i) {
-                if (const auto value = m.number(m_rows[i], column)) {
+            const std::vector<std::optional<double>> values = temperaturesOf(column);
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                if (values[i]) {
                     series.times.push_back(m_times[i]);
-                    series.temperatures.push_back(*value);
-                    m.setRole(m_rows[i], column, CellRole::positive);
+                    series.temperatures.push_back(*values[i]);
                 }
             }
             if (series.times.empty())
@@ -312,6 +320,38 @@ private:
         return numbers;
     }
 
+    /// The temperatures of a column in °C; empty if they are in no unit that is known.
+    std::vector<std::optional<double>> temperaturesOf(std::size_t c) {
+        const std::string &heading = m.body.columns[c].heading;
+        SaidUnit said = m.body.columns[c].said();
+        if (const std::size_t bracket = heading.find_last_of("([");
+            !said.isSaid() && bracket != std::string::npos)
+            said.unit = temperatureUnitIn(heading.substr(bracket));
+        if (!said.isSaid())
+            said = m.notes.temperatureUnit;
+        if (said.isSaid() && !(said.unit && said.unit->kind == UnitKind::temperature)) {
+            m.remarks.problem(
+                "unread",
+                REPORT_TEXT("report", "Temperatures in “%1” are not read, only those in °C, °F or K."),
+                excerpt(said.words()));
+            return {};
+        }
+        std::vector<std::optional<double>> values = numbersOf(c);
+        std::size_t broken = 0;
+        for (auto &value : values) {
+            if (value && said.unit)
+                value = said.unit->toBase(*value);
+            broken += value && !isPlausibleTemperature(*value) ? 1 : 0;
+        }
+        if (broken > 0)
+            m.remarks.problem("temperatures",
+                              REPORT_TEXT("report",
+                                          "“%1” has values that no room and no machine has: %2. Are the "
+                                          "sensor and the unit right?"),
+                              excerpt(heading), counted(broken));
+        return values;
+    }
+
     /// "X" of "X (µm)" and of "Deviation X"; else the heading.
     static std::string channelName(std::string_view heading) {
         std::string name = withoutUnit(heading);
@@ -349,14 +389,8 @@ private:
             drift.channels.push_back(std::move(channel));
         }
         for (const std::size_t c : m_heat) {
-            const SaidUnit said = m.body.columns[c].said();
-            if (said.isSaid() && !(said.unit && said.unit->kind == UnitKind::temperature)) {
-                m.remarks.problem(
-                    "unread", REPORT_TEXT("report", "Temperatures in “%1” are not read, only those in °C."),
-                    excerpt(said.words()));
-                continue;
-            }
-            drift.temperatures.push_back({withoutUnit(m.body.columns[c].heading), {}, numbersOf(c)});
+            if (auto values = temperaturesOf(c); !values.empty())
+                drift.temperatures.push_back({withoutUnit(m.body.columns[c].heading), {}, std::move(values)});
         }
         drift.axis.motion = drift.channels.front().quantity == ChannelQuantity::angularDeviation
                                 ? Motion::rotary

@@ -136,11 +136,11 @@ BlockFacts factsOf(const TableReading &reading, const TableBlock &block) {
 
 } // namespace
 
-TableReading::TableReading(Imported &imported, Choices &chosen)
+TableReading::TableReading(Imported &imported, Choices &chosen, const std::vector<CoverSheet> &covers)
     : result(imported)
     , choices(chosen)
     , body(bodyOf(imported.table, chosenNumbers(chosen)))
-    , notes(notesOf(imported.table, body, chosen.chosen("axis"))) {
+    , notes(notesOf(imported.table, body, chosen.chosen("axis"), covers)) {
     keepOneTable(result.table, body, chosenTable(chosen));
     keepOneTest();
     std::size_t cells = 0;
@@ -153,6 +153,30 @@ TableReading::TableReading(Imported &imported, Choices &chosen)
     }
     result.remarks.insert(result.remarks.end(), body.remarks.begin(), body.remarks.end());
     askForTable();
+    askForCutNumber();
+}
+
+/// "2," at the very end of a text: the file may have been cut within the number.
+void TableReading::askForCutNumber() {
+    if (table().isPlaced || body.blocks.empty())
+        return;
+    const TableBlock &block = body.blocks.back();
+    const TableRow &last = row(block.rows.back());
+    const auto cells = table().cells(last);
+    const char mark = table().decimalMark.value == DecimalMark::comma ? ',' : '.';
+    const auto isOpen = [&](const TableCell &each) {
+        return each.isNumber() && each.size > 1 && table().text(each).back() == mark;
+    };
+    std::size_t open = 0;
+    for (const std::uint32_t index : block.rows)
+        open += static_cast<std::size_t>(std::ranges::count_if(table().cells(row(index)), isOpen));
+    if (!cells.empty() && isOpen(cells.back()) && open == 1)
+        remarks
+            .problem(
+                {"unread", last.line},
+                REPORT_TEXT("report", "“%1” ends the table within a number: the file seems to be cut short."),
+                std::string(table().text(cells.back())))
+            .column = cells.size();
 }
 
 /// Keeps the blocks of one machine, day, plane and radius, asked if the lines above them state several. Axes

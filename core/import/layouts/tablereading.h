@@ -10,7 +10,7 @@ namespace palmer {
 /// A table being read, shared by the readers of all kinds.
 class TableReading {
 public:
-    TableReading(Imported &imported, Choices &chosen);
+    TableReading(Imported &imported, Choices &chosen, const std::vector<CoverSheet> &covers);
 
     [[nodiscard]] const CellTable &table() const { return result.table; }
     [[nodiscard]] const TableRow &row(std::uint32_t index) const { return result.table.rows()[index]; }
@@ -70,6 +70,7 @@ public:
 private:
     void askForTable();
     void keepOneTest();
+    void askForCutNumber();
     std::optional<double> noNumber(std::uint32_t index, std::size_t column);
 
     std::size_t m_missingWords = 0;

@@ -3,8 +3,10 @@
 #include "import/readers.h"
 
 #include "document/filewords.h"
+#include "document/place.h"
 #include "import/layouts/tablebody.h"
 #include "import/layouts/tablereading.h"
+#include "kernel/measurement/testfacts.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
@@ -265,12 +267,29 @@ void takeDate(const std::optional<std::string> &date, const std::string &text, T
                  text);
 }
 
-void readMeasurementTable(Choices &choices, Imported &imported) {
+namespace {
+
+/// A factor in a line, and a unit in the headings of readings that are no positioning test.
+void askForFactor(const TableReading &reading) {
+    for (const ImportColumn &column : reading.result.columns) {
+        constexpr std::array ofReadings{ColumnRole::deviation, ColumnRole::radius, ColumnRole::x,
+                                        ColumnRole::y};
+        if (!reading.notes.factor.empty() && column.unit &&
+            std::ranges::find(ofReadings, column.role) != ofReadings.end())
+            return (void)reading.remarks.problem(
+                "unit", REPORT_TEXT("report", "Unit: a line says “%1”, the headings %2; read in %2."),
+                excerpt(reading.notes.factor), std::string(column.unit->sign));
+    }
+}
+
+} // namespace
+
+void readMeasurementTable(Choices &choices, Imported &imported, const std::vector<CoverSheet> &covers) {
     if (choices.isChosen("lines"))
         keepLines(imported.table, choices.resolve("lines", {}, Origin::chosen).value);
     imported.table.takeUnits();
     setStatementsAside(imported.table);
-    TableReading reading(imported, choices);
+    TableReading reading(imported, choices, covers);
     Origin origin = Origin::recognised;
     const std::string found = kindOf(reading, origin);
     const auto kind = choices.resolve("kind", found, origin);
@@ -288,9 +307,11 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
         break;
     case Kind::circular:
         readCircles(reading);
+        askForFactor(reading);
         break;
     case Kind::drift:
         readSeries(reading, kind.value == "temperatures");
+        askForFactor(reading);
         break;
     }
     takeNotes(reading.notes, imported);
@@ -319,7 +340,14 @@ void takeNotes(const FileNotes &notes, Imported &imported) {
             if (!conditions.feed && measurement->axis.motion == Motion::linear)
                 conditions.feed = notes.feed;
         }
+        if (Conditions *conditions = conditionsOf(test); conditions && notes.isCorrectedTo20)
+            conditions->correctionTo20 =
+                *notes.isCorrectedTo20 ? CorrectionTo20::appliedByInstrument : CorrectionTo20::notApplied;
     }
+    for (const auto &[line, text] : notes.doubts)
+        imported.remarks.problem(
+            "statement", REPORT_TEXT("report", "Line %1 says “%2”: are the readings right as they stand?"),
+            std::to_string(line), text);
     notes.used.remarkUsed(imported.remarks);
     notes.unused.remarkUnused(imported.remarks);
 }

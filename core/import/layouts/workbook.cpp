@@ -136,28 +136,16 @@ public:
     /// True if there are formulas without stored values among its numbers.
     [[nodiscard]] bool lacksValues() const { return m_emptyFormulas > 0; }
 
-    /// Takes what visible sheets without a table state: machine, operator, day, temperatures.
-    void takeCovers() const {
-        std::string names;
-        for (const Cover &cover : m_covers) {
-            const FileNotes notes = notesOf(cover.table);
-            if (cover.name == m_sheets[m_best].name.toStdString() || notes.saysNothing())
-                continue;
-            takeNotes(notes, m);
-            names += (names.empty() ? "" : ", ") + cover.name;
-        }
-        if (!names.empty())
-            m.remarks.note(
-                {}, REPORT_TEXT("report", "Statements are also taken from the sheets without a table: %1."),
-                excerpt(names));
+    /// The visible sheets without a table.
+    [[nodiscard]] std::vector<CoverSheet> covers() const {
+        std::vector<CoverSheet> others = m_covers;
+        std::erase_if(others, [&](const CoverSheet &cover) {
+            return hasTable() && cover.name == m_sheets[m_best].name.toStdString();
+        });
+        return others;
     }
 
 private:
-    struct Cover {
-        std::string name;
-        CellTable table;
-    };
-
     static constexpr std::size_t none = -1;
 
     /// True for more than the few numbers of a cover sheet.
@@ -185,12 +173,14 @@ private:
         m_most = readings;
         m.table = std::move(table);
         m_hiddenNumbers = sheet.hiddenNumbers;
+        m_comments = std::move(sheet.comments);
         m_emptyFormulas = sheet.emptyFormulas;
         m_emptyFormulaLine = sheet.emptyFormulaLine;
     }
 
     /// Remarks on hidden cells and on formulas without values.
     void remarkOnCells() {
+        m_comments.remarkUnused(m.remarks);
         if (m_hiddenNumbers > 0) {
             const auto choice = m_choices.resolve("hidden", "read", Origin::guessed);
             m.remarks.add(
@@ -251,7 +241,8 @@ private:
     const std::vector<SheetName> &m_sheets;
     Choices &m_choices;
     Imported &m;
-    std::vector<Cover> m_covers;
+    std::vector<CoverSheet> m_covers;
+    QuotedLines m_comments;
     std::size_t m_best = none; ///< index of a sheet
     std::size_t m_most = 0;
     std::size_t m_measurements = 0;
@@ -287,14 +278,13 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
                                                      "stand there as text can be read in several ways."));
     }
     try {
-        readMeasurementTable(choices, imported);
+        readMeasurementTable(choices, imported, chooser.covers());
     } catch (const Error &) {
         if (!chooser.lacksValues())
             throw;
         refuseContent(REPORT_TEXT("report", "the values of its formulas are not in the file; open the "
                                             "workbook in a spreadsheet program and save it"));
     }
-    chooser.takeCovers();
 }
 
 } // namespace

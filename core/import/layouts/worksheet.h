@@ -4,6 +4,7 @@
 
 #include "import/choices.h"
 #include "import/layouts/zipfile.h"
+#include "import/remark.h"
 #include "tables/table.h"
 
 #include <QString>
@@ -55,6 +56,7 @@ public:
     [[nodiscard]] int column() const { return m_column; }
     CellTable take(const Choices &choices);
 
+    QuotedLines comments;          ///< of cells
     std::size_t hiddenNumbers = 0; ///< in hidden rows or columns
     std::size_t emptyFormulas = 0; ///< in rows with numbers, such as readings
     std::size_t emptyFormulaLine = 0;

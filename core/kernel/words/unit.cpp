@@ -33,6 +33,8 @@ constexpr std::array units{
     Unit{"h", "h", UnitKind::time, 3600, 1},
     Unit{"ms", "ms", UnitKind::time, 1, 1000},
     Unit{"C", "°C", UnitKind::temperature, 1, 1},
+    Unit{"F", "°F", UnitKind::temperature, 5, 9},
+    Unit{"K", "K", UnitKind::temperature, 1, 1},
 };
 
 /// Divides by a power of ten with a single rounding, by shifting the decimal point: the shortest decimal that
@@ -54,9 +56,20 @@ double shifted(double value, double powerOfTen) {
     return value / powerOfTen;
 }
 
+/// 0 °C in the other units of temperature.
+double zeroOf(const Unit &unit) {
+    constexpr double fahrenheit = 32;
+    constexpr double kelvin = 273.15;
+    const std::string_view name = unit.word;
+    return name == "F" ? fahrenheit : name == "K" ? kelvin : 0;
+}
+
 } // namespace
 
 double Unit::toBase(double value) const {
+    constexpr double finest = 1e6; // of a thermometer: 293.65 K are 20.5 °C
+    if (const double zero = kind == UnitKind::temperature ? zeroOf(*this) : 0; zero > 0)
+        return std::round((value - zero) * multiplier / divisor * finest) / finest;
     const auto whole = static_cast<std::int64_t>(divisor);
     if (multiplier == 1 && whole >= 10 && whole % 10 == 0 && static_cast<double>(whole) == divisor)
         return shifted(value, divisor);

@@ -206,6 +206,12 @@ private slots:
                                  "Temperature gradient: 0.2",
                                  "Temperature limit: 20",
                                  "Temp coefficient: 11.7",
+                                 "Machine temperature rise: 0.4 °C",
+                                 "Temperature homogeneity: 0.3 °C",
+                                 "Écart de température : 0,5 °C",
+                                 "Temp. spread: 0.4 °C",
+                                 "Temperature before warm-up: 18.0",
+                                 "Air temperature: 85 °C",
                                  "Template: 12",
                                  "Attempt: 3",
                                  "Temporary mark: 20",
@@ -356,6 +362,26 @@ private slots:
             QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
             QCOMPARE(withoutPositions(factsOf(imported)), expected);
         }
+    }
+
+    /// A sheet of its own says the same of the numbers as lines above them; what is not used is listed.
+    void coversRuleTheTable() {
+        const QByteArray bytes = testdata::storedOds({{"Target", "Fwd", "Rev"},
+                                                      {"0|0", "1|1", "2|2"},
+                                                      {"100|100", "3|3", "4|4"},
+                                                      {"200|200", "5|5", "6|6"}},
+                                                     {{"Unit of deviations", "nm"},
+                                                      {"Sign", "target - actual"},
+                                                      {"Axis", "Y"},
+                                                      {"Edition", "ISO 230-2:2006"},
+                                                      {"Hall 3 was empty"}});
+        const Imported imported = showMeasurement(bytes, "x.ods", {});
+        QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
+        const auto &measurement = std::get<PositioningMeasurement>(imported.test->measurement);
+        QCOMPARE(measurement.runs.at(0).deviations.at(0), std::optional(-1e-6));
+        QCOMPARE(measurement.axis.name, "Y");
+        QCOMPARE(imported.test->edition, "ISO 230-2:2006");
+        QVERIFY2(remarksOf(imported).contains("Cover 5: Hall 3 was empty"), qPrintable(remarksOf(imported)));
     }
 };
 

@@ -139,23 +139,28 @@ QByteArray stylesOf(const QStringList &formats) {
 
 } // namespace
 
-QByteArray storedOds(const std::vector<QStringList> &rows) {
+QByteArray storedOds(const std::vector<QStringList> &rows, const std::vector<QStringList> &cover) {
     QString content =
         R"(<office:document-content xmlns:office="o" xmlns:table="t" xmlns:text="x"><office:body>)"
-        R"(<office:spreadsheet><table:table table:name="S">)";
-    for (const QStringList &row : rows) {
-        content += "<table:table-row>";
-        for (const QString &cell : row) {
-            const bool isNumber = cell.contains('|');
-            content += isNumber ? QString(R"(<table:table-cell office:value-type="float" office:value="%1">)")
-                                      .arg(cell.section('|', 0, 0))
-                                : QString(R"(<table:table-cell office:value-type="string">)");
-            content += "<text:p>" + cell.section('|', isNumber ? 1 : 0).toHtmlEscaped() +
-                       "</text:p></table:table-cell>";
+        R"(<office:spreadsheet>)";
+    for (const auto &[name, sheet] : {std::pair("S", &rows), std::pair("Cover", &cover)}) {
+        content += QString(R"(<table:table table:name="%1">)").arg(name);
+        for (const QStringList &row : *sheet) {
+            content += "<table:table-row>";
+            for (const QString &cell : row) {
+                const bool isNumber = cell.contains('|');
+                content += isNumber
+                               ? QString(R"(<table:table-cell office:value-type="float" office:value="%1">)")
+                                     .arg(cell.section('|', 0, 0))
+                               : QString(R"(<table:table-cell office:value-type="string">)");
+                content += "<text:p>" + cell.section('|', isNumber ? 1 : 0).toHtmlEscaped() +
+                           "</text:p></table:table-cell>";
+            }
+            content += "</table:table-row>";
         }
-        content += "</table:table-row>";
+        content += "</table:table>";
     }
-    content += "</table:table></office:spreadsheet></office:body></office:document-content>";
+    content += "</office:spreadsheet></office:body></office:document-content>";
     return storedZip(
         {{"mimetype", "application/vnd.oasis.opendocument.spreadsheet"}, {"content.xml", content.toUtf8()}});
 }

@@ -21,7 +21,9 @@ struct MergedCells {
 [[nodiscard]] QByteArray storedWorkbook(const std::vector<QStringList> &rows,
                                         const std::vector<MergedCells> &merged = {},
                                         const QStringList &formats = {});
-/// An .ods of one sheet: "3.5|3.50 in" is the number 3.5, which is displayed so; other cells are texts.
-[[nodiscard]] QByteArray storedOds(const std::vector<QStringList> &rows);
+/// An .ods of one sheet, and one named Cover: "3.5|3.50 in" is the number 3.5, which is displayed so; other
+/// cells are texts.
+[[nodiscard]] QByteArray storedOds(const std::vector<QStringList> &rows,
+                                   const std::vector<QStringList> &cover = {});
 
 } // namespace palmer::testdata

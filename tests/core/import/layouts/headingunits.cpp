@@ -14,9 +14,9 @@ using namespace palmer;
 
 namespace {
 
-const std::array foreignWords{"ppm",    "ppb",      "mA",   "mV",           "kHz",  "%",          "mm/min",
-                              "µm/m",   "µm/V",     "nrad", "furlong",      "ft",   "counts",     "digits",
-                              "mm/rev", "arcsec/m", "dm",   "tenths of µm", "mm/°", "Zehntel µm", "°F"};
+const std::array foreignWords{"ppm",    "ppb",      "mA",   "mV",           "kHz",  "%",         "mm/min",
+                              "µm/m",   "µm/V",     "nrad", "furlong",      "ft",   "counts",    "digits",
+                              "mm/rev", "arcsec/m", "dm",   "tenths of µm", "mm/°", "Zehntel µm"};
 const std::array factors{"x0.1%1", "0.1 %1", "1/10 %1", "10 %1", "%1 x 10", "%1/10", "10^-4 %1", "×10 %1"};
 const std::array lengths{"µm", "um", "nm", "mm", "in"};
 // What people put behind a heading, and no unit.
@@ -256,6 +256,17 @@ private slots:
                                    << "mm" << false;
         QTest::newRow("µm") << QByteArray("All values in µm") << "um"
                             << "mm" << false;
+        const auto row = [](const char *lines, const char *unit, const char *positionUnit) {
+            QTest::newRow(lines) << QByteArray(lines) << unit << positionUnit << false;
+        };
+        row("Error units: um\nPosition units: in", "um", "in");
+        row("Unité des positions : cm\nUnité des écarts : nm", "nm", "cm");
+        row("Unidad posición: pulgadas\nUnidad desviación: micras", "um", "in");
+        row("Sollpositionen in Zoll\nAbweichungen in µm", "um", "in");
+        row("Unit of deviations;microinch\nUnit of targets;inch", "uin", "in");
+        row("Unit: cm\nDeviation unit: nm", "nm", "cm");
+        row("Temperature unit: C, Pressure unit: mm", "mm", "mm");
+        row("单位：微米", "um", "mm");
     }
     void unitsAboveTheTable() {
         QFETCH(QByteArray, line);

@@ -87,8 +87,22 @@ private slots:
              {"All values in 0.1 µm", "Deviations in tenths of a micron", "Scale factor 0.1",
               "Facteur d'échelle 10", "Valeurs en dixièmes de micron", "deviations in 0.0001 in"})
             QTest::newRow(line) << line + ("\n" + plain) << "unit";
-        for (const char *line : {"Signs inverted", "Vorzeichen umgekehrt", "Signe inversé"})
+        for (const char *line : {"Signs inverted", "Vorzeichen umgekehrt", "Signe inversé",
+                                 "Correction values", "Korrekturwerte Achse X"})
             QTest::newRow(line) << line + ("\n" + plain) << "sign";
+        for (const char *lines :
+             {"Unit: um\nScale factor: 0.1", "Units: µm\nMultiply all values by 10", "Unit: mm\nUnit: µm",
+              "Measurement units: 0.1 micrometer", "Unità scostamento: centesimi di mm", "Spindle unit: nm"})
+            QTest::newRow(lines) << lines + ("\n" + plain) << "unit";
+        QTest::newRow("factor below") << "Unit: µm\n" + plain + "All values x 0.1\n"
+                                      << "unit";
+        for (const char *line :
+             {"Run 3 backward was aborted", "Down readings are invalid", "Rückfahrt ungültig"})
+            QTest::newRow(line) << line + ("\n" + plain) << "statement";
+        QTest::newRow("word behind a row")
+            << QByteArray(plain).replace("30;40", "30;40;discard") << "statement";
+        QTest::newRow("cut within a number")
+            << QByteArray("Target (mm);Fwd (µm);Rev (µm)\n0;1,5;2,5\n100;3,5;4,") << "unread";
         QTest::newRow("factor between heading and unit")
             << QByteArray("Target (mm);Fwd x10 (µm);Rev x10 (µm)\n0;10;20\n100;30;40\n200;50;60\n") << "unit";
         QTest::newRow("units differ from line to line")
@@ -185,6 +199,65 @@ private slots:
                      measurementOf(importMeasurement(table, "x.csv")).runs);
     }
 
+    /// Sentences with the word of a direction are listed, every line of them.
+    void listsWhatItDoesNotUse() {
+        const QByteArray table = "Target (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+        const QList<QByteArray> lines{
+            "up = towards the gate, which is the far end of the hall seen from here",
+            "Stage moved backward between",
+            "One",
+            "Two",
+            "Three",
+            "Four",
+            "Five"};
+        const QString remarks =
+            testdata::remarks(importMeasurement(lines.join('\n') + "\n\n" + table, "x.csv"));
+        for (const QByteArray &line : lines)
+            QVERIFY2(remarks.contains(QString::fromUtf8(line)), qPrintable(remarks));
+    }
+
+    /// Degrees Fahrenheit and kelvins are converted; a broken sensor is asked about; each sensor has its
+    /// remark.
+    void readsTemperaturesInTheirUnit() {
+        const auto first = [](const QByteArray &text) {
+            const Imported imported = importMeasurement(text, "x.csv");
+            return imported.sensors.at(0).series ? imported.sensors.at(0).series->temperatures.at(0)
+                                                 : imported.sensors.at(0).start.value_or(-1);
+        };
+        const QByteArray table = "\nTarget (mm);Fwd (µm);Rev (µm)\n0;1;2\n100;3;4\n200;5;6\n";
+        QCOMPARE(first("Air temperature: 77 °F" + table), 25.0);
+        QCOMPARE(first("Machine temp (K): 294.15" + table), 21.0);
+        QCOMPARE(first("Air temperature: 50 Fahrenheit" + table), 10.0);
+        const QByteArray series = "Time (min);Air temp%1;Bed temp%1\n0;%2;%2\n30;%2;%2\n60;%2;%2\n";
+        const auto filled = [&](const char *unit, const char *value) {
+            return QByteArray(series).replace("%1", unit).replace("%2", value);
+        };
+        QCOMPARE(first(filled(" (°F)", "50")), 10.0);
+        QCOMPARE(first(filled(" (K)", "293.65")), 20.5);
+        QCOMPARE(first("Temperature unit: °F\n" + filled("", "50")), 10.0);
+        const Imported broken = importMeasurement(filled(" (°C)", "85"), "x.csv");
+        QCOMPARE(gradeOf(broken, "temperatures"), QuestionGrade::doubtful);
+        const QString remarks = testdata::remarks(broken);
+        QVERIFY2(remarks.contains("“Air temp”") && remarks.contains("“Bed temp”"), qPrintable(remarks));
+    }
+
+    /// Times in the unit of a line, counted lines, minutes and seconds, and clocks of twelve hours.
+    void readsTimesInTheirUnit() {
+        const auto last = [](const QByteArray &head, const QList<QByteArray> &times) {
+            QByteArray text = head + ";Deviation (µm)\n";
+            for (const QByteArray &time : times)
+                text += time + ";1.5\n";
+            return std::get<DriftMeasurement>(
+                       importMeasurement(text, "x.csv", {{"kind", "drift"}}).test->measurement)
+                .times.back();
+        };
+        QCOMPARE(last("Time in minutes\nTime", {"0", "5", "10"}), 600.0);
+        QCOMPARE(last("Time unit: min\nTime", {"0", "5", "10"}), 600.0);
+        QCOMPARE(last("Time (mm:ss)", {"00:00", "01:30", "02:10"}), 130.0);
+        QCOMPARE(last("Sample interval: 10 s\nSample", {"0", "1", "2"}), 20.0);
+        QCOMPARE(last("Time", {"11:30:00 AM", "12:30:00 PM", "1:00:00 PM"}), 5400.0);
+    }
+
     /// Lines found above many tables that say nothing of their numbers raise no doubt.
     void doubtsNothingElse() {
         const QByteArray table = "Target (mm);Fwd 1;Rev 1\n0;1.5;2\n100;3;4\n200;5;6\n";
@@ -208,7 +281,11 @@ private slots:
                                  "Humidity up to 60 %",
                                  "Forward = positive direction",
                                  "State: after compensation",
-                                 "Measured after adjustment, to be compared with before adjustment"}) {
+                                 "Measured after adjustment, to be compared with before adjustment",
+                                 "Unit no: 12 mm spindle",
+                                 "Laser head unit: XL-80",
+                                 "Number of units: 5",
+                                 "Scale factor: 1.000"}) {
             const Imported imported = importMeasurement(line + ("\n" + table), "x.csv");
             QVERIFY2((imported.test->role != TestRole::notStated) ==
                          QByteArray(line).contains("compensation"),
@@ -256,6 +333,19 @@ private slots:
             const QString sentence = Language(Language::Id::english).sentence(mixed.refusal->message);
             QVERIFY2(sentence.contains("decimal mark"), qPrintable(sentence));
         }
+    }
+
+    /// A cell that displays another unit than the heading of its column.
+    void asksForCellsInAnotherUnit() {
+        const auto read = [](const char *cell) {
+            return showMeasurement(testdata::storedOds({{"Target (mm)", "Up 1 (µm)", "Down 1 (µm)"},
+                                                        {"0|0", "1|1", "2|2"},
+                                                        {"100|100", cell, "4|4"},
+                                                        {"200|200", "5|5", "6|6"}}),
+                                   "x.ods");
+        };
+        QCOMPARE(gradeOf(read("3|3 nm"), "unread"), QuestionGrade::doubtful);
+        QVERIFY(!gradeOf(read("3|3 µm"), "unread"));
     }
 
     void namesFormulasWithoutValues() {
@@ -332,6 +422,12 @@ private slots:
         QCOMPARE(read("Laser serial no: 999\nMachine serial no: 123").machine.serialNumber, "123");
         QCOMPARE(read("Machine: Foo\nLaser: XL80\nSerial number: 999").machine.serialNumber, "");
         QCOMPARE(read("Machine: Foo\nSerial number: 123\nLaser: XL80").machine.serialNumber, "123");
+        QCOMPARE(read("Seriennummer Laser: L7\nSeriennummer: M12").machine.serialNumber, "M12");
+        QCOMPARE(read("Machine: Foo 2, S/N 18, Axis Y").machine.serialNumber, "18");
+        QCOMPARE(read("Machine: Foo 2, S/N 18, Axis Y").machine.name, "Foo 2");
+        QCOMPARE(measurementOf(read("Feed: 2 m/min")).conditions.feed, std::optional(2000.0));
+        const Imported corrected = read("Corrected to 20 °C: yes");
+        QCOMPARE(conditionsOf(*corrected.test)->correctionTo20, CorrectionTo20::appliedByInstrument);
         for (const char *label :
              {"Calibration date", "Kalibriert am", "Certificat valide jusqu'au", "Druckdatum"}) {
             QCOMPARE(read(qPrintable(QString(label) + ": 2022-01-01")).test->date, std::nullopt);
