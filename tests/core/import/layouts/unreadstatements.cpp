@@ -277,7 +277,6 @@ private slots:
                                  "Deviations in µm",
                                  "Calibration date: 2023-01-01",
                                  "Warm-up 30 min before test",
-                                 "Laser re-zeroed after run 1 down",
                                  "Humidity up to 60 %",
                                  "Forward = positive direction",
                                  "State: after compensation",
