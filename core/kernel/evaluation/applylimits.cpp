@@ -102,34 +102,20 @@ std::optional<NotEvaluable> reasonForNone(const std::string &id, const Limit &li
 }
 
 /// Returns the sentence for a limit that applies to no result.
-Message noVerdict(const std::string &id, const Limit &limit, NotEvaluable reason, const char *edition) {
-    switch (reason) {
+Message noVerdict(const AgreedLimit &agreed, const char *edition) {
+    switch (*agreed.reason) {
     case NotEvaluable::otherEdition:
         return {REPORT_TEXT("report", "The limit of %1 has no verdict: it was agreed for %2, the test is "
                                       "evaluated under %3."),
-                {id, Designation{*limit.edition}, Designation{edition}}};
+                {agreed.symbol, Designation{*agreed.limit.edition}, Designation{edition}}};
     case NotEvaluable::noSuchParameter:
         return {REPORT_TEXT("report",
                             "The limit of %1 has no verdict: this test has no such parameter under %2."),
-                {id, Designation{edition}}};
+                {agreed.symbol, Designation{edition}}};
     default:
         return {REPORT_TEXT("report", "The limit of %1 cannot be evaluated: %2."),
-                {id, notEvaluableText(reason)}};
+                {agreed.symbol, notEvaluableText(*agreed.reason)}};
     }
-}
-
-/// Returns the symbol of a key of `limits`, taken from another edition if necessary.
-std::string symbolOf(const std::string &key, const Edition &edition) {
-    const std::span<const Edition *const> others = editionsOf(edition.kind);
-    std::vector<const Edition *> known{&edition};
-    known.insert(known.end(), others.begin(), others.end());
-    for (const Edition *one : known) {
-        for (const Term *term : termsOf(*one)) {
-            if (key == term->id)
-                return std::string(term->symbol.base) + term->symbol.subscript + term->symbol.arrow;
-        }
-    }
-    return key; // "F", which covers Fmax and Fmin
 }
 
 LimitState stateOf(Verdict verdict) {
@@ -176,6 +162,19 @@ void findLargeUncertainty(TestEvaluation &evaluation, const DecisionRule &rule) 
 
 } // namespace
 
+std::string symbolOf(const std::string &key, const Edition &edition) {
+    const std::span<const Edition *const> others = editionsOf(edition.kind);
+    std::vector<const Edition *> known{&edition};
+    known.insert(known.end(), others.begin(), others.end());
+    for (const Edition *one : known) {
+        for (const Term *term : termsOf(*one)) {
+            if (key == term->id)
+                return std::string(term->symbol.base) + term->symbol.subscript + term->symbol.arrow;
+        }
+    }
+    return key; // "F", which covers Fmax and Fmin
+}
+
 Text notEvaluableText(NotEvaluable reason) {
     static constexpr std::array texts{
         // in the order of NotEvaluable
@@ -210,12 +209,6 @@ struct Seen {
     std::string uncorrected; ///< symbols
 };
 
-/// True if the rule, which demands a proof, has one: unknown temperatures prove nothing, but do not revoke a
-/// rejection.
-bool isProof(Verdict verdict, At20 at20) {
-    return at20 == At20::hold || (at20 == At20::open && verdict != Verdict::conforms);
-}
-
 /// Judges one result by a limit and updates its parameter, the limit and the verdict of the test.
 void judge(TestEvaluation &evaluation, const Judged &one, const Limit &limit, const DecisionRule &rule,
            At20 at20, AgreedLimit &agreed, Seen &seen) {
@@ -227,7 +220,7 @@ void judge(TestEvaluation &evaluation, const Judged &one, const Limit &limit, co
         evaluation.provisional |=
             evaluation.uncertainty.outdated && evaluation.uncertainty.method == UncertaintyMethod::monteCarlo;
         seen.uncertaintyMissing |= !p.expandedUncertainty;
-        if (p.dependsOnTemperature && !isProof(verdict, at20)) {
+        if (p.dependsOnTemperature && at20 != At20::hold) { // an expansion raises a value or lowers it
             verdict = Verdict::notProven;
             add(seen.uncorrected, plainSymbol(p));
         }
@@ -266,13 +259,12 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
             evaluation.verdict = worst(evaluation.verdict, Verdict::notProven);
         }
         if (found.empty() || agreed.reason == NotEvaluable::otherEdition) {
-            note(evaluation, "limits", Source::program,
-                 noVerdict(id, limit, *agreed.reason, evaluation.edition->word));
+            note(evaluation, "limits", Source::program, noVerdict(agreed, evaluation.edition->word));
             evaluation.limits.push_back(std::move(agreed));
             continue;
         }
         if (*limit.value < 0 && found.front().bound == Bound::magnitude)
-            add(negative, id);
+            add(negative, agreed.symbol);
         for (const Judged &one : found)
             judge(evaluation, one, limit, test.decisionRule, at20, agreed, seen);
         if (agreed.state != LimitState::notEvaluable)

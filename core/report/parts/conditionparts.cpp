@@ -6,6 +6,7 @@
 #include "document/statedthings.h"
 #include "figures/testfigures.h"
 #include "kernel/evaluation/agreedpoints.h"
+#include "kernel/evaluation/applylimits.h"
 #include "kernel/evaluation/asked.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/statedinputs.h"
@@ -188,7 +189,8 @@ QString furtherStatements(const TestPart &part) {
                            (parameter.term.id == id || parameter.term.also == id);
                 });
             if (!decides)
-                add(QStringLiteral("U(%1)").arg(QString::fromStdString(id)), {expanded, quantity});
+                add(QStringLiteral("U(%1)").arg(QString::fromStdString(symbolOf(id, part.edition()))),
+                    {expanded, quantity});
         }
     });
     const DecisionRule &decision = part.test.decisionRule;

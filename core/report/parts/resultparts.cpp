@@ -780,7 +780,7 @@ Table limitsTable(const TestPart &part) {
     }
     for (const auto &[id, limit] : others) {
         if (limit.value)
-            addRow(QString::fromStdString(id), limit);
+            addRow(QString::fromStdString(symbolOf(id, part.edition())), limit);
     }
     return table;
 }

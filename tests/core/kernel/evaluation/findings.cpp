@@ -22,6 +22,7 @@ private slots:
     void uncorrectedResultsProveNothing();
     void whatIsNotProvenHasAReason_data();
     void whatIsNotProvenHasAReason();
+    void anUnknownTemperatureProvesNothing();
     void temperaturesOfMachineAndInstrument_data();
     void temperaturesOfMachineAndInstrument();
     void workedExampleIsRecognised();
@@ -186,6 +187,21 @@ void Findings::whatIsNotProvenHasAReason() {
                 if (correction != CorrectionTo20::appliedHere) // which lacks α here
                     QVERIFY2(open != fits, where);
             }
+        }
+    }
+}
+
+/// An expansion that nobody knows raises a value as well as it lowers it.
+void Findings::anUnknownTemperatureProvesNothing() {
+    Test test = exactHand("ISO 230-2:2006");
+    measurement(test).uncertainty.method = UncertaintyMethod::direct;
+    measurement(test).uncertainty.expanded = {{"A", 0.4}, {"R", 0.4}};
+    for (const double limit : {0.0001, 0.9}) {
+        test.limits = {{"A", {limit, {}, ""}}, {"R", {limit, {}, ""}}};
+        for (const Rule rule : {Rule::iso14253_1, Rule::rejectionProven}) {
+            test.decisionRule = {rule, 1.0};
+            QCOMPARE(parameter(evaluated(test), "A")->verdict, Verdict::notProven);
+            QVERIFY(parameter(evaluated(test), "R")->verdict != Verdict::notProven);
         }
     }
 }

@@ -296,7 +296,7 @@ void Sentences::numbers_data() {
         "A; ISO 230-2:1988; ISO 230-2:2006");
     row(
         "limit of no parameter", of2006, shortAxis, "limits",
-        [](Setup &s) { s.test.limits["r"].value = 0.05; }, "r; ISO 230-2:2006");
+        [](Setup &s) { s.test.limits["r"].value = 0.05; }, "r̄; ISO 230-2:2006");
     row(
         "negative limits", of2006, shortAxis, "limits",
         [](Setup &s) {
