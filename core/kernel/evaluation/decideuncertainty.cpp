@@ -86,12 +86,10 @@ void findDifferences(TestEvaluation &evaluation, const std::function<Message(con
 
 } // namespace
 
-std::string resultsWithoutUncertainty(std::span<const Parameter> parameters, const Limits &limits) {
-    const bool limited = std::ranges::any_of(
-        parameters, [&](const Parameter &p) { return p.value && hasLimit(limits, p.term); });
-    return symbolsOf(parameters, [&](const Parameter &p) {
-        const bool counts = limited ? hasLimit(limits, p.term) : p.required && p.term.weight == Weight::main;
-        return p.value && counts && !p.expandedUncertainty;
+std::string resultsWithoutUncertainty(std::span<const Parameter> parameters) {
+    return symbolsOf(parameters, [](const Parameter &p) {
+        const bool printed = p.required && p.term.printed == Printed::always;
+        return p.value && printed && !p.expandedUncertainty;
     });
 }
 

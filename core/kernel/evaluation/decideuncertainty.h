@@ -21,10 +21,9 @@ namespace palmer {
 void decideUncertainty(TestEvaluation &evaluation, UncertaintyMethod method, const Surroundings &surroundings,
                        const std::function<std::optional<double>(const Parameter &)> &stated);
 
-/// Returns the symbols of the results that should have a U and do not: those with a limit; without any limit,
-/// the main ones that are required.
-[[nodiscard]] std::string resultsWithoutUncertainty(std::span<const Parameter> parameters,
-                                                    const Limits &limits);
+/// Returns the symbols of the results that should have a U and do not: of those required, all that every
+/// report prints.
+[[nodiscard]] std::string resultsWithoutUncertainty(std::span<const Parameter> parameters);
 
 /// A missing or impossible input, and the results that have no uncertainty because of it; empty: all.
 struct MissingInput {

@@ -194,7 +194,7 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
     for (const iso230_4::ListedParameter &one : listed)
         evaluation.parameters.push_back(parameter(one, whole));
     const std::vector<MissingInput> missing = addUncertainty(evaluation, whole, listed);
-    whole.withoutUncertainty = resultsWithoutUncertainty(evaluation.parameters, test.limits);
+    whole.withoutUncertainty = resultsWithoutUncertainty(evaluation.parameters);
 
     judge(edition.circles->requirements, whole, evaluation.findings);
     explainMissingValues(evaluation);

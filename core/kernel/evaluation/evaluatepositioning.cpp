@@ -177,7 +177,7 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
                                 results.drift,
                                 results.positiveRuns,
                                 results.negativeRuns,
-                                resultsWithoutUncertainty(evaluation.parameters, test.limits)};
+                                resultsWithoutUncertainty(evaluation.parameters)};
     results.judgedAsZone = whole.zoneTest();
 
     results.countByPractice = whole.longAxis() || !whole.linear();

@@ -1030,6 +1030,14 @@ void Requirements::rows_data() {
         [](Setup &s) {
             s.common().correctionTo20 = CorrectionTo20::appliedHere;
             s.common().expansion.instrument.reset();
+    row(
+        "U of the limited result only", of2006, shortAxis,
+        [](Setup &s) {
+            s.test.limits["A"].value = 0.03;
+            s.m().uncertainty.method = UncertaintyMethod::direct;
+            s.m().uncertainty.expanded = {{"A", 2.5}};
+        },
+        "uncertainty", "Foreword (7)", "unmet");
         },
         "correctionTo20", "", "program note");
     row(
@@ -1410,6 +1418,15 @@ void Requirements::circularRows_data() {
         "requiredResults", "Annex D", "unmet");
     row(
         "feedback of linear scales", [](Circle &c) { c.m().source = SignalSource::feedback; }, "source",
+    row(
+        "U of the limited result only",
+        [](Circle &c) {
+            c.m().requiredResults = {"G", "F", "D"};
+            c.test.limits["G"].value = 0.02;
+            c.m().uncertainty.method = UncertaintyMethod::direct;
+            c.m().uncertainty.expanded = {{"G", 1.5}};
+        },
+        "uncertainty", "6", "recommendation");
         "Annex D", "met");
     row(
         "feedback of an unknown scale",
