@@ -1188,6 +1188,10 @@
         <translation>La trajectoire %1 couvre %2&#xa0;: au moins 90° sont exigés.</translation>
     </message>
     <message>
+    <message>
+        <source>The required result %1 has no value: %2.</source>
+        <translation>Le résultat exigé %1 n’a pas de valeur&#xa0;: %2.</translation>
+    </message>
         <source>Only the path %1 was measured: bi-directional results need both senses.</source>
         <translation>Seule la trajectoire %1 a été mesurée&#xa0;: les résultats bidirectionnels demandent les deux sens.</translation>
     </message>

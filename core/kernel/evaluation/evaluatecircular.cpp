@@ -165,19 +165,32 @@ NotEvaluable whyMissing(const std::string &id, const CircularCase &test) {
                                                              : NotEvaluable::noValue;
 }
 
-void explainMissingValues(TestEvaluation &evaluation) {
+void findNoValue(TestEvaluation &evaluation, Message message) {
+    Finding finding;
+    finding.id = "noValue";
+    finding.explains = Explains::missingValues;
+    finding.message = std::move(message);
+    evaluation.findings.push_back(std::move(finding));
+}
+
+/// `whole`: its required results may have names that this test does not know.
+void explainMissingValues(TestEvaluation &evaluation, const CircularCase &whole) {
     std::string symbols;
     for (const Parameter &p : evaluation.parameters) {
         if (!p.value && p.required)
             symbols += (symbols.empty() ? "" : ", ") + plainSymbol(p);
     }
-    if (symbols.empty())
-        return;
-    Finding finding;
-    finding.id = "noValue";
-    finding.explains = Explains::missingValues;
-    finding.message = {REPORT_TEXT("report", "No value for %1: see what the test lacks."), {symbols}};
-    evaluation.findings.push_back(std::move(finding));
+    if (!symbols.empty())
+        findNoValue(evaluation,
+                    {REPORT_TEXT("report", "No value for %1: see what the test lacks."), {symbols}});
+    for (const std::string &word : whole.measurement.requiredResults) {
+        const bool given = std::ranges::any_of(evaluation.parameters,
+                                               [&](const Parameter &p) { return p.term.isMeantBy(word); });
+        const NotEvaluable reason = whyMissing(word, whole);
+        if (!given && (reason == NotEvaluable::noSuchParameter || reason == NotEvaluable::feedbackSignal))
+            findNoValue(evaluation, {REPORT_TEXT("report", "The required result %1 has no value: %2."),
+                                     {symbolOf(word, whole.edition), notEvaluableText(reason)}});
+    }
 }
 
 } // namespace
@@ -193,11 +206,15 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
     const auto listed = iso230_4::listedParameters(whole);
     for (const iso230_4::ListedParameter &one : listed)
         evaluation.parameters.push_back(parameter(one, whole));
+    if (std::ranges::none_of(evaluation.parameters, &Parameter::required)) {
+        for (Parameter &p : evaluation.parameters) // a report without any results would say nothing
+            p.required = true;
+    }
     const std::vector<MissingInput> missing = addUncertainty(evaluation, whole, listed);
     whole.withoutUncertainty = resultsWithoutUncertainty(evaluation.parameters);
 
     judge(edition.circles->requirements, whole, evaluation.findings);
-    explainMissingValues(evaluation);
+    explainMissingValues(evaluation, whole);
     findNotAgreed(edition, test, evaluation.findings);
     findUncertainty(evaluation, missing,
                     [&](const Parameter &p) { return reasonOfDifference(p, evaluation, measurement); });

@@ -76,7 +76,8 @@ Repetition repetition(const CircularMeasurement &whole, const std::array<std::ve
 /// inputs are stated.
 std::optional<double> correctionTo20(const CircularMeasurement &measurement) {
     const Conditions &conditions = measurement.conditions.common;
-    if (conditions.correctionTo20 != CorrectionTo20::appliedHere)
+    if (conditions.correctionTo20 != CorrectionTo20::appliedHere ||
+        measurement.source == SignalSource::feedback) // which has neither F nor D
         return std::nullopt;
     const auto expansion = differentialExpansion(conditions);
     if (!expansion)

@@ -38,6 +38,7 @@ private slots:
     void withoutLeastSquaresCircle();
     void shortArcStillHasItsCertificate();
     void oneSenseOnly();
+    void aRequiredResultThatCannotBeGiven();
     void noResultOfBothFromOne();
     void calibration();
     void feedback();
@@ -425,6 +426,34 @@ void Circular::oneSenseOnly() {
     QVERIFY(!finding(evaluated(test), "bothSenses"));
     measurement(test).requiredResults = {"G(b)f"};
     QVERIFY(finding(evaluated(test), "bothSenses"));
+}
+
+void Circular::aRequiredResultThatCannotBeGiven() {
+    const auto shape = [](double theta) { return std::cos(2 * theta); };
+    Test test = circularTest({path(counterclockwise, 360, shape), path(clockwise, 360, shape)});
+    const auto found = [&](std::vector<std::string> required, SignalSource source) {
+        measurement(test).requiredResults = std::move(required);
+        measurement(test).source = source;
+        return evaluated(test);
+    };
+    QVERIFY(!finding(found({"G", "F"}, SignalSource::external), "noValue"));
+    for (const auto &e :
+         {found({"H"}, SignalSource::external), found({"G", "G(b)"}, SignalSource::feedback)}) {
+        QVERIFY(finding(e, "noValue"));
+        QVERIFY(std::ranges::all_of(e.parameters, &Parameter::required)); // nothing left: all are given
+    }
+    const auto some = found({"H", "G"}, SignalSource::external);
+    QVERIFY(finding(some, "noValue") && parameter(some, "G_XY")->required &&
+            !parameter(some, "G(b)_XY")->required);
+    measurement(test).conditions.common.correctionTo20 = CorrectionTo20::appliedHere;
+    measurement(test).conditions.common.expansion = {11.5, 0.5};
+    for (const SensorMeasures what : {SensorMeasures::machine, SensorMeasures::instrument})
+        measurement(test).conditions.common.sensors.push_back({what, "", 21.5, 21.5, {}});
+    const auto correction = [](const TestEvaluation &e) {
+        return std::get<CircularResults>(e.results).correction;
+    };
+    QVERIFY(correction(found({"F"}, SignalSource::external)));
+    QVERIFY(!correction(found({}, SignalSource::feedback))); // which has neither F nor D
 }
 
 void Circular::noResultOfBothFromOne() {
