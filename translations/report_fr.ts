@@ -8579,6 +8579,14 @@
         <translation>un seul sens a été mesuré&#xa0;: pas de compensation par sens</translation>
     </message>
     <message>
+    <message>
+        <source>The stated axis travel of %1 is contradicted by the stated ends of the axis, which lie %2 apart.</source>
+        <translation>La longueur d’axe indiquée de %1 est contredite par les extrémités indiquées de l’axe, distantes de %2.</translation>
+    </message>
+    <message>
+        <source>The stated ends of the axis are contradicted by targets beyond them.</source>
+        <translation>Les extrémités indiquées de l’axe sont contredites par des points visés situés au-delà.</translation>
+    </message>
         <source>Only the positive direction was measured: its values stand for the negative one, too.</source>
         <translation>Seul le sens positif a été mesuré&#xa0;: ses valeurs valent aussi pour le sens négatif.</translation>
     </message>

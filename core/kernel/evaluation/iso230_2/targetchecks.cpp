@@ -279,13 +279,26 @@ Judgement axisTravel(const PositioningCase &test) {
     if (!stated)
         return Judgement::undeclared();
     const double measured = measurementTravel(test.measurement);
-    if (measured <= *stated * (1 + 1e-9))
+    if (measured > *stated * (1 + 1e-9))
+        return Judgement::unmet(
+            {REPORT_TEXT("report",
+                         "The stated axis travel of %1 is contradicted by the targets, which lie over %2: "
+                         "this is judged."),
+             {along(test, *stated), along(test, measured)}});
+    const auto &range = test.measurement.axis.range;
+    if (!range || !test.linear())
         return Judgement::met();
-    return Judgement::unmet(
-        {REPORT_TEXT("report",
-                     "The stated axis travel of %1 is contradicted by the targets, which lie over %2: "
-                     "this is judged."),
-         {along(test, *stated), along(test, measured)}});
+    const double apart = range->to - range->from; // longer than the travel by what the axis can overrun
+    if (*stated > apart * (1 + 1e-9))
+        return Judgement::unmet({REPORT_TEXT("report", "The stated axis travel of %1 is contradicted by the "
+                                                       "stated ends of the axis, which lie %2 apart."),
+                                 {along(test, *stated), along(test, apart)}});
+    const auto &targets = test.measurement.targets;
+    const bool outside = !targets.empty() && (targets.front() < range->from || targets.back() > range->to);
+    const bool oneWay = test.positiveRuns == 0 || test.negativeRuns == 0; // else `ends` finds them
+    return Judgement::of(sentenceIf(
+        outside && oneWay,
+        REPORT_TEXT("report", "The stated ends of the axis are contradicted by targets beyond them.")));
 }
 
 Judgement zone(const PositioningCase &test) {

@@ -302,6 +302,23 @@ void Requirements::rows_data() {
         row(
             "targets beyond the travel", edition, shortAxis,
             [=](Setup &s) { s.m().axis.travel = measured - 0.001; }, "travel", "4.3.2", "unmet");
+        const auto ends = [=](double travel, double from, double to) -> Change {
+            return [=](Setup &s) {
+                s.m().axis.travel = travel;
+                s.m().axis.range = Interval{s.m().targets.front() + from, s.m().targets.front() + to};
+            };
+        };
+        row("ends closer than the travel", edition, shortAxis, ends(measured + 40, -10, measured + 20),
+            "travel", "4.3.2", "unmet");
+        row("ends as far apart as the travel", edition, shortAxis, ends(measured + 40, -15, measured + 25),
+            "travel", "4.3.2", "met");
+        row(
+            "a target beyond the ends, one way", edition, shortAxis,
+            [=](Setup &s) {
+                ends(measured, 3, measured + 7)(s);
+                std::erase_if(s.m().runs, [](const Run &run) { return run.approach != Direction::positive; });
+            },
+            "travel", "4.3.2", "unmet");
         row(
             "six targets on 1 300 mm of a travel of 500", edition, shortAxis,
             [](Setup &s) {
@@ -1013,6 +1030,14 @@ void Requirements::rows_data() {
         "no uncertainty", of2006, shortAxis,
         [](Setup &s) { s.m().uncertainty.method = UncertaintyMethod::none; }, "uncertainty", "Foreword (7)",
         "unmet");
+    row(
+        "U of the limited result only", of2006, shortAxis,
+        [](Setup &s) {
+            s.test.limits["A"].value = 0.03;
+            s.m().uncertainty.method = UncertaintyMethod::direct;
+            s.m().uncertainty.expanded = {{"A", 2.5}};
+        },
+        "uncertainty", "Foreword (7)", "unmet");
     row("zone alone", of2006, zoneOfLongAxis, alone, "otherTest", "", "practice unmet");
     row(
         "zone of 1 800 mm", of2006, zoneOfLongAxis, [](Setup &s) { s.m().zone->to = 2800; }, "zone", "",
@@ -1030,14 +1055,6 @@ void Requirements::rows_data() {
         [](Setup &s) {
             s.common().correctionTo20 = CorrectionTo20::appliedHere;
             s.common().expansion.instrument.reset();
-    row(
-        "U of the limited result only", of2006, shortAxis,
-        [](Setup &s) {
-            s.test.limits["A"].value = 0.03;
-            s.m().uncertainty.method = UncertaintyMethod::direct;
-            s.m().uncertainty.expanded = {{"A", 2.5}};
-        },
-        "uncertainty", "Foreword (7)", "unmet");
         },
         "correctionTo20", "", "program note");
     row(
@@ -1401,6 +1418,15 @@ void Requirements::circularRows_data() {
     row(
         "uncertainty not stated", [](Circle &c) { c.m().uncertainty.method = UncertaintyMethod::none; },
         "uncertainty", "6", "recommendation");
+    row(
+        "U of the limited result only",
+        [](Circle &c) {
+            c.m().requiredResults = {"G", "F", "D"};
+            c.test.limits["G"].value = 0.02;
+            c.m().uncertainty.method = UncertaintyMethod::direct;
+            c.m().uncertainty.expanded = {{"G", 1.5}};
+        },
+        "uncertainty", "6", "recommendation");
     const auto specified = [](double feed) -> Change {
         return [=](Circle &c) {
             c.m().specified = {300, 1000};
@@ -1418,15 +1444,6 @@ void Requirements::circularRows_data() {
         "requiredResults", "Annex D", "unmet");
     row(
         "feedback of linear scales", [](Circle &c) { c.m().source = SignalSource::feedback; }, "source",
-    row(
-        "U of the limited result only",
-        [](Circle &c) {
-            c.m().requiredResults = {"G", "F", "D"};
-            c.test.limits["G"].value = 0.02;
-            c.m().uncertainty.method = UncertaintyMethod::direct;
-            c.m().uncertainty.expanded = {{"G", 1.5}};
-        },
-        "uncertainty", "6", "recommendation");
         "Annex D", "met");
     row(
         "feedback of an unknown scale",
