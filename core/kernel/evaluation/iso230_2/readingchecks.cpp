@@ -147,7 +147,7 @@ Sentence excludedReadings(const PositioningCase &test) {
             list.add(readingName(test.edition, m, run, static_cast<std::size_t>(reading.target - 1)));
     }
     return Message{
-        test.edition.textRead != TextRead::none
+        test.edition.textRead == TextRead::all
             ? REPORT_TEXT_COUNTED("report", "Readings set aside (%n): %1. The text provides for none.")
             : REPORT_TEXT_COUNTED("report", "Readings set aside (%n): %1."),
         {list.text()},
