@@ -42,30 +42,35 @@ std::optional<double> endTemperature(const Sensor &sensor) {
     return temperatureAt(*sensor.series, std::ranges::minmax_element(sensor.series->times).max);
 }
 
-std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what,
-                                      std::optional<double> (*temperature)(const Sensor &)) {
+std::optional<double> statedTemperature(const Conditions &conditions, SensorMeasures what,
+                                        std::optional<double> (*temperature)(const Sensor &)) {
     double sum = 0;
     int count = 0;
     for (const Sensor &sensor : conditions.sensors) {
-        if (sensor.measures == SensorMeasures::notStated)
-            return std::nullopt; // it may measure `what`
-        if (sensor.measures != what)
-            continue;
-        const auto value = temperature(sensor);
-        if (!value)
-            return std::nullopt;
-        sum += *value;
-        ++count;
+        const auto value = sensor.measures == what ? temperature(sensor) : std::nullopt;
+        sum += value.value_or(0);
+        count += value ? 1 : 0;
     }
     return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what) {
-    return meanTemperature(conditions, what, [](const Sensor &sensor) -> std::optional<double> {
-        const auto start = startTemperature(sensor);
-        const auto end = endTemperature(sensor);
-        return start && end ? std::optional((*start + *end) / 2) : start ? start : end;
+std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what,
+                                      std::optional<double> (*temperature)(const Sensor &)) {
+    const bool open = std::ranges::any_of(conditions.sensors, [&](const Sensor &sensor) {
+        return sensor.measures == SensorMeasures::notStated || // it may measure `what`
+               (sensor.measures == what && !temperature(sensor));
     });
+    return open ? std::nullopt : statedTemperature(conditions, what, temperature);
+}
+
+std::optional<double> sensorTemperature(const Sensor &sensor) {
+    const auto start = startTemperature(sensor);
+    const auto end = endTemperature(sensor);
+    return start && end ? std::optional((*start + *end) / 2) : start ? start : end;
+}
+
+std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what) {
+    return meanTemperature(conditions, what, sensorTemperature);
 }
 
 std::optional<double> TemperatureSpan::farthest() const {

@@ -122,8 +122,15 @@ struct CircularConditions {
 [[nodiscard]] std::optional<double> startTemperature(const Sensor &sensor);
 [[nodiscard]] std::optional<double> endTemperature(const Sensor &sensor);
 
-/// Returns the mean of startTemperature or endTemperature over all sensors that measure `what`, °C. Null
-/// unless each of them has a value, or if a sensor does not state what it measures.
+/// Mean of start and end of a sensor, or the only one known.
+[[nodiscard]] std::optional<double> sensorTemperature(const Sensor &sensor);
+
+/// Returns the mean of one of these over the sensors that state both `what` and the value, °C: for reports.
+[[nodiscard]] std::optional<double> statedTemperature(const Conditions &conditions, SensorMeasures what,
+                                                      std::optional<double> (*temperature)(const Sensor &));
+
+/// The same to compute with. Null unless each of these sensors has a value, or if a sensor does not state
+/// what it measures.
 [[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what,
                                                     std::optional<double> (*temperature)(const Sensor &));
 

@@ -86,7 +86,7 @@ QString evaluatedText(const CircularPart &part, const EvaluatedPath &path) {
 }
 
 QString temperatureText(const CircularPart &part, SensorMeasures what, std::optional<double> alpha) {
-    const auto temperature = meanTemperature(part.measurement.conditions.common, what);
+    const auto temperature = statedTemperature(part.measurement.conditions.common, what, sensorTemperature);
     QStringList texts{part.write.quantity(temperature, Quantity::temperature, temperatureDecimals)};
     if (alpha)
         texts << QStringLiteral("α\u00A0=\u00A0") +

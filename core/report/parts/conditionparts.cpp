@@ -514,8 +514,8 @@ QString takeMissing(KeyValues &rows, const Writer &write) {
 }
 
 Temperatures temperaturesOf(const Conditions &conditions, SensorMeasures what) {
-    return {meanTemperature(conditions, what, startTemperature),
-            meanTemperature(conditions, what, endTemperature)};
+    return {statedTemperature(conditions, what, startTemperature),
+            statedTemperature(conditions, what, endTemperature)};
 }
 
 bool statesTemperatures(const TestPart &part) {

@@ -58,6 +58,12 @@ private slots:
         QVERIFY(!meanOf({sensor(20, 21), sensor({}, {})}));
         QVERIFY(
             !meanOf({sensor(20, 21), sensor(22, 23, SensorMeasures::notStated)})); // may be of the machine
+        // A report states what is stated.
+        Conditions conditions;
+        conditions.sensors = {sensor(20, 21), sensor(22, {}), sensor(30, 31, SensorMeasures::notStated)};
+        QCOMPARE(statedTemperature(conditions, machine, startTemperature), OptionalNumber(21));
+        QCOMPARE(statedTemperature(conditions, machine, endTemperature), OptionalNumber(21));
+        QVERIFY(!statedTemperature(conditions, SensorMeasures::air, startTemperature));
     }
 
     void everyTemperatureOfTheTest() {
