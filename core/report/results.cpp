@@ -110,12 +110,7 @@ private:
     }
 
     [[nodiscard]] QString ruleOf(const Test &test) const {
-        QString rule = text(ruleWords(test.decisionRule.rule).condition);
-        if (test.decisionRule.rule == Rule::simpleAcceptance)
-            return rule;
-        return rule + QStringLiteral(", ") +
-               say(REPORT_TEXT("report", "guard band %1 U"),
-                   {Number{test.decisionRule.guardFactor, Quantity::number, -1}});
+        return ruleWithBand(test.decisionRule, ruleWords(test.decisionRule.rule).condition, m_language);
     }
 
     [[nodiscard]] KeyValues positioningHead(const Test &test, const PositioningMeasurement &m,

@@ -69,7 +69,7 @@ SheetResult evaluateRow(const SheetRow &row, const DecisionRule &rule, std::span
         result.state = SheetState::notApplicable;
     } else if (result.value && result.parameter) { // what the test proves, doubts of its conditions included
         const std::optional<Verdict> verdict = result.parameter->verdict;
-        result.guardBand = verdict ? guardBand(result.parameter->guardedUncertainty(), rule) : std::nullopt;
+        result.guardBand = verdict ? result.parameter->guardBand : std::nullopt;
         result.state = verdict ? static_cast<SheetState>(*verdict) : SheetState::noLimit;
     } else if (result.value && !result.permitted.low && !result.permitted.high) {
         result.state = SheetState::noLimit;

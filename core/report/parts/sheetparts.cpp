@@ -33,13 +33,19 @@ QString permittedText(const Writer &write, const Permitted &permitted, int decim
     return permitted.high ? QString::fromStdString(number(*permitted.high)) : QString();
 }
 
-SheetNumbers ownNumbers(const Writer &write, const SheetRow &row) {
+/// The most that one of its own numbers has.
+int decimalsOf(const SheetRow &row) {
     int decimals = 0;
     for (const std::optional<double> &value :
          {row.permitted.low, row.permitted.high, row.measured, row.uncertainty}) {
         if (value)
             decimals = std::max(decimals, decimalsOf(*value, Quantity::number));
     }
+    return decimals;
+}
+
+SheetNumbers ownNumbers(const Writer &write, const SheetRow &row) {
+    const int decimals = decimalsOf(row);
     return {permittedText(write, row.permitted, decimals),
             write.number(row.measured, Quantity::number, decimals),
             write.number(row.uncertainty, Quantity::number, decimals), QString::fromStdString(row.unit)};
@@ -50,19 +56,35 @@ std::optional<Verdict> verdictOfRow(const SheetResult &result) {
                                                       : std::nullopt;
 }
 
-/// The result with its verdict under the rule of the report, which decides its digits.
+/// The result as in its test, whose rule decided it.
 SheetNumbers numbersOfResult(const Writer &write, const SheetResult &result,
                              const EvaluatedDocument &evaluated) {
     const Document &document = *evaluated.document;
-    const Test &test = *document.tests[*result.test];
-    Parameter parameter = *result.parameter;
-    parameter.guardBand = result.guardBand;
-    parameter.verdict = verdictOfRow(result);
     const PrintedNumbers numbers =
-        printedNumbers(parameter, document.report.decisionRule, finestResolution(document, test),
-                       write.language(), document.report.rounding);
+        printedNumbers(*result.parameter, *document.tests[*result.test], document, write.language());
     return {numbers.limit, numbers.value, numbers.uncertainty,
-            write.language().unit(parameter.term.quantity)};
+            write.language().unit(result.parameter->term.quantity)};
+}
+
+/// " ± 0.0005", the guard band of a row with numbers of its own; it may need a digit more than they do.
+QString bandOf(const Writer &write, const SheetResult &result, const SheetRow &row) {
+    if (!result.guardBand)
+        return {};
+    const int shown = decimalsOf(row);
+    const int decimals = std::clamp(decimalsOf(*result.guardBand, Quantity::number), shown, shown + 2);
+    return QStringLiteral(" ± ") + write.number(result.guardBand, Quantity::number, decimals);
+}
+
+/// As in the results of a test: none without a guard band.
+Text bandTitle(const std::vector<SheetResult> &results) {
+    const auto hasBand = [](const SheetResult &result) { return result.guardBand.has_value(); };
+    const auto isU = [](const SheetResult &result) {
+        return !result.guardBand || result.guardBand == result.uncertainty;
+    };
+    if (std::ranges::none_of(results, hasBand))
+        return {};
+    return std::ranges::all_of(results, isU) ? REPORT_TEXT("report", "Limit ± U")
+                                             : REPORT_TEXT("report", "Limit ± g");
 }
 
 Mark markOf(SheetState state) {
@@ -115,9 +137,7 @@ QString namedRows(const EvaluatedDocument &evaluated, const std::vector<SheetRes
         const auto withUnit = [&](const QString &number) {
             return joined({number, words.unit}, QString(QChar::Nbsp)).toStdString();
         };
-        const QString band = result.guardBand && !words.uncertainty.isEmpty()
-                                 ? QStringLiteral(" ± ") + words.uncertainty
-                                 : QString();
+        const QString band = bandOf(write, result, head.sheet[i]); // no verdict of a test comes here
         names.last() += QStringLiteral(" (") +
                         write.say(REPORT_TEXT_FOR("report", "%1 for %2", "measured, tolerance"),
                                   {withUnit(words.value), withUnit(words.permitted + band)}) +
@@ -177,8 +197,9 @@ SheetWords sheetWords(const EvaluatedDocument &evaluated, const std::vector<Test
                      write.text(sheetStateText(result.state)),
                      write.text(reasonOf(evaluated, result))};
     if (row.from)
-        words.source = testWord(write, parts, result, *row.from) + QStringLiteral(", ") +
-                       QString::fromStdString(row.from->parameter);
+        words.source =
+            testWord(write, parts, result, *row.from) + QStringLiteral(", ") +
+            QString::fromStdString(result.parameter ? plainSymbol(*result.parameter) : row.from->parameter);
     return words;
 }
 
@@ -200,8 +221,21 @@ Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart>
         else
             coverage.factor |= result.uncertainty.has_value();
     }
+    constexpr qsizetype mostAligned = 14; // characters
+    qsizetype whole = 0;
+    qsizetype fraction = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const SheetWords words = sheetWords(evaluated, parts, results[i], i, write);
+        for (const QString &text : {words.value, words.uncertainty}) {
+            const qsizetype mark = std::max(text.indexOf(u'.'), text.indexOf(u','));
+            whole = std::max(whole, mark < 0 ? text.size() : mark);
+            fraction = std::max(fraction, mark < 0 ? 0 : text.size() - mark);
+        }
+    }
+    // Pascals and millionths of a metre at one decimal mark would leave no room for the objects.
+    const auto alignment = whole + fraction > mostAligned ? Alignment::right : Alignment::decimal;
     const auto number = [&](const Text &title) {
-        Column column = write.column(title, valueColumn, Alignment::decimal);
+        Column column = write.column(title, valueColumn, alignment);
         column.fitting = true;
         return column;
     };
@@ -213,7 +247,7 @@ Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart>
                      number(REPORT_TEXT("report", "Limit")),
                      columnOf(QString(), unitColumn),
                      write.column(REPORT_TEXT("report", "Instrument"), instrumentColumn),
-                     write.column(REPORT_TEXT("report", "Limit ± U"), pictureColumn),
+                     write.column(bandTitle(results), pictureColumn),
                      write.column(REPORT_TEXT("report", "Verdict"), verdictColumn)};
     table.columns.back().paddingLeft = 2; // from the picture
     table.columns.back().fitting = true;
@@ -320,7 +354,8 @@ void addSheet(std::vector<Block> &blocks, const EvaluatedDocument &evaluated,
     line.limits = sheetStatement(evaluated, write);
     blocks.emplace_back(std::move(line));
 
-    const QString rule = write.text(ruleWords(head.decisionRule.rule).inReport);
+    const QString rule =
+        ruleWithBand(head.decisionRule, ruleWords(head.decisionRule.rule).inReport, write.language());
     addHeading(blocks, write.text(REPORT_TEXT_FOR("report", "Checks", "of the acceptance sheet")),
                write.text(REPORT_TEXT("report", "verdict based on unrounded values")));
     Table table = sheetTable(evaluated, parts, write);
@@ -342,14 +377,16 @@ void addSheet(std::vector<Block> &blocks, const EvaluatedDocument &evaluated,
                 {LegendSign::band, write.text(REPORT_TEXT("report", "guard band about the limit"))});
         blocks.emplace_back(std::move(legend));
     }
-    QString rules = write.say(REPORT_TEXT("report", "Decision rule: %1"), rule);
-    if (head.decisionRule.rule != Rule::simpleAcceptance ||
-        head.decisionRule.guardFactor != DecisionRule().guardFactor)
-        rules +=
-            QStringLiteral(", ") + write.say(REPORT_TEXT("report", "guard band %1 U"),
-                                             {Number{head.decisionRule.guardFactor, Quantity::number, -1}});
+    const DecisionRule &decision = head.decisionRule;
+    const bool hasBand =
+        decision.rule != Rule::simpleAcceptance || decision.guardFactor == DecisionRule().guardFactor;
+    const QString unused =
+        hasBand ? QString()
+                : write.say(REPORT_TEXT("report", "The stated factor of a guard band, %1, has no effect."),
+                            {Number{decision.guardFactor, Quantity::number, -1}}) +
+                      u' ';
     blocks.emplace_back(Paragraph{
-        rules + QStringLiteral(". ") +
+        write.say(REPORT_TEXT("report", "Decision rule: %1"), rule) + QStringLiteral(". ") + unused +
         write.text(REPORT_TEXT(
             "report", "The verdict of the report is the worst of those of sheet and tests; a row that "
                       "is not measured forbids “all met”. Objects and tolerances are those of the "
@@ -372,7 +409,9 @@ void addSheetResults(std::vector<Block> &blocks, const EvaluatedDocument &evalua
     line.limits = sheetStatement(evaluated, write);
     line.accordance = {write.text(REPORT_TEXT("report", "Decision rule")),
                        Mark::none,
-                       write.text(ruleWords(evaluated.document->report.decisionRule.rule).condition),
+                       ruleWithBand(evaluated.document->report.decisionRule,
+                                    ruleWords(evaluated.document->report.decisionRule.rule).condition,
+                                    write.language()),
                        {}};
     blocks.emplace_back(std::move(line));
     addSheetFindings(blocks, evaluated, write);

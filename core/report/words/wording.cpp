@@ -113,6 +113,15 @@ const RuleWords &ruleWords(Rule rule) {
     return rules.at(static_cast<std::size_t>(rule));
 }
 
+QString ruleWithBand(const DecisionRule &rule, const Text &words, const Language &language) {
+    const QString text = language.text(words);
+    return rule.rule == Rule::simpleAcceptance
+               ? text
+               : text + QStringLiteral(", ") +
+                     language.sentence(REPORT_TEXT("report", "guard band %1 U"),
+                                       {Number{rule.guardFactor, Quantity::number, -1}});
+}
+
 QString arrow(Direction direction) {
     return direction == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
 }

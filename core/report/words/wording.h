@@ -66,6 +66,9 @@ struct RuleWords {
 };
 [[nodiscard]] const RuleWords &ruleWords(Rule rule);
 
+/// A rule in these words with its guard band, if it has one: "ISO 14253-1, guard band 0.83 U".
+[[nodiscard]] QString ruleWithBand(const DecisionRule &rule, const Text &words, const Language &language);
+
 /// True if a direction has several runs, so that s and the quantities based on it have values.
 [[nodiscard]] bool hasScatter(const TestEvaluation &evaluation);
 

@@ -854,6 +854,50 @@ private slots:
     }
 
     /// A statement on a rotary axis is printed, in a joint table as in that of one test.
+    /// A row beyond its tolerance is named with the band by which it was judged, which is a part of U.
+    void aSheetStatesTheBandOfItsRule() {
+        Document changed = *document("machine-acceptance-sheet");
+        SheetRow own;
+        own.number = "G8";
+        own.permitted.high = 0.03;
+        own.measured = 0.0323;
+        own.uncertainty = 0.004;
+        changed.report.sheet = {own};
+        changed.report.decisionRule = {Rule::iso14253_1, 0.5};
+        const Language english(Language::Id::english);
+        const auto said = [&] {
+            return text(std::make_shared<const Document>(changed), english).simplified();
+        };
+        QVERIFY(said().contains("for 0.0300 ± 0.0020"));
+        QVERIFY(said().contains("Limit ± g") && said().contains("guard band 0.5 U"));
+        changed.report.decisionRule.rule = Rule::simpleAcceptance;
+        QVERIFY(!said().contains("guard band 0.5 U"));
+    }
+
+    /// A limit that cannot be evaluated has its row on the summary page and in the tables of the command
+    /// line.
+    void limitsThatCannotBeEvaluatedAreListed() {
+        Document changed = *document("two-tests");
+        Test test = *changed.tests[0];
+        test.edition = "ISO 230-2:2006";
+        test.limits = {{"UPR", {0.011, {}, ""}}, {"E", {0.013, "ISO 230-2:1988", ""}}};
+        changed.tests[0] = std::make_shared<const Test>(test);
+        const auto shared = std::make_shared<const Document>(changed);
+        const Language english(Language::Id::english);
+        const QString page = text(shared, english).simplified().replace(QChar(u'\u00A0'), ' ');
+        QVERIFY(page.contains("limit 11 µm not evaluable: not a parameter of this test"));
+        QVERIFY(page.contains("limit 13 µm not evaluable: agreed for another edition"));
+        for (const SummaryForm form : {SummaryForm::csv, SummaryForm::text}) {
+            const bool csv = form == SummaryForm::csv;
+            QStringList open;
+            for (const QStringList &row : summaryRows(evaluate(shared), "file", form, english)) {
+                if (row[row.size() - 2] == (csv ? "notEvaluable" : "not evaluable"))
+                    open << row[row.size() - 7] + ' ' + row[row.size() - 4];
+            }
+            QCOMPARE(open, (csv ? QStringList{"E 0.013", "UPR 0.011"} : QStringList{"E 13", "UPR 11"}));
+        }
+    }
+
     void theCorrectionOfARotaryAxisIsPrinted() {
         Document changed = *document("rotary-axis");
         const Language english(Language::Id::english);
