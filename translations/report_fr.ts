@@ -84,6 +84,11 @@
         <translation>Non évaluable&#xa0;: %1.</translation>
     </message>
     <message>
+        <source>not evaluable</source>
+        <comment>a limit</comment>
+        <translation>non évaluable</translation>
+    </message>
+    <message>
         <source>one run in each direction</source>
         <translation>une seule passe par sens</translation>
     </message>
@@ -7168,8 +7173,12 @@
         <translation>Page</translation>
     </message>
     <message>
-        <source>The limits agreed do not hold: no verdict.</source>
-        <translation>Les limites convenues ne s’appliquent pas&#xa0;: pas de verdict.</translation>
+        <source>limit %1 not evaluable: %2</source>
+        <translation>limite %1 non évaluable&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>limite %1</translation>
     </message>
     <message>
         <source>Adjustment:</source>

@@ -385,7 +385,12 @@ void RegisterCommandTest::theListIsTheTable() {
     scan();
     const QString file = files() + "/machine 001/2018-11-20 X.palmer";
     const QList<QByteArray> list = reg({"list", "--csv", "--text", file}).out.split('\n');
-    const QList<QByteArray> table = runCli({"evaluate", "--table", "csv", file}).out.split('\n');
+    const auto tableOf = [](const QStringList &arguments) { // the register has no limits without a result
+        QList<QByteArray> rows = runCli(arguments).out.split('\n');
+        rows.removeIf([](const QByteArray &row) { return row.contains("notEvaluable"); });
+        return rows;
+    };
+    const QList<QByteArray> table = tableOf({"evaluate", "--table", "csv", file});
     QCOMPARE(list.size(), table.size());
     QVERIFY(
         table.front().startsWith("file,test,machine,manufacturer,model,serialNumber,reportNumber,axis,date,"
@@ -397,7 +402,7 @@ void RegisterCommandTest::theListIsTheTable() {
     QVERIFY(comma.startsWith("\xEF\xBB\xBF"
                              "file;test;machine;"));
     const QList<QByteArray> withComma =
-        runCli({"evaluate", "--table", "csv", "--decimal-mark", "comma", file}).out.split('\n');
+        tableOf({"evaluate", "--table", "csv", "--decimal-mark", "comma", file});
     for (qsizetype i = 0; i < withComma.size(); ++i)
         QVERIFY2(comma.split('\n').value(i).startsWith(withComma[i]), withComma[i]);
     const QList<QByteArray> cells = comma.split('\n')[1].split(';');

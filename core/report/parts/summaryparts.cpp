@@ -191,6 +191,12 @@ private:
             if (isLimited(parameter, part.head()))
                 addResult(part, parameter, pale);
         }
+        for (const AgreedLimit &limit : part.evaluation.limits) {
+            if (std::ranges::none_of(part.evaluation.parameters, [&](const Parameter &parameter) {
+                    return isLimited(parameter, part.head()) && parameter.limitOf == limit.key;
+                }))
+                addOpenLimit(part, limit, pale);
+        }
         if (m_table.rows.size() == first)
             addWithoutLimit(part, pale);
         Cell number(QString::number(part.number));
@@ -253,11 +259,23 @@ private:
         }
     }
 
+    /// A limit without a row of results: it cannot be evaluated, or another one rules.
+    void addOpenLimit(const TestPart &part, const AgreedLimit &limit, bool pale) {
+        const QString value =
+            m_write.quantity(limit.limit.value, deviationQuantity(part.test)).replace(u' ', u'\u00A0');
+        std::vector<Cell> cells(m_table.columns.size(), blankCell());
+        cells[2] = boldCell(QString::fromStdString(limit.symbol));
+        cells[3] = Cell(limit.reason ? m_write.say(REPORT_TEXT("report", "limit %1 not evaluable: %2"),
+                                                   {value.toStdString(), notEvaluableText(*limit.reason)})
+                                     : m_write.say(REPORT_TEXT("report", "limit %1"), value));
+        cells[3].extras.edit().columns = cells.size() - 4;
+        cells.back() = Cell();
+        addRow(part, std::move(cells), pale);
+    }
+
     void addWithoutLimit(const TestPart &part, bool pale) {
         std::vector<Cell> cells(m_table.columns.size(), blankCell());
-        cells[2] = Cell(m_write.text(hasLimits(part.test.limits)
-                                         ? REPORT_TEXT("report", "The limits agreed do not hold: no verdict.")
-                                         : REPORT_TEXT("report", "no limit agreed")));
+        cells[2] = Cell(m_write.text(REPORT_TEXT("report", "no limit agreed")));
         cells[2].extras.edit().columns = cells.size() - 3;
         cells.back() = Cell();
         addRow(part, std::move(cells), pale);

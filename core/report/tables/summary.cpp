@@ -7,6 +7,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "kernel/words/shortest.h"
 #include "language/csvwriter.h"
+#include "language/rounding.h"
 #include "report/blocks/plaintext.h"
 #include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"
@@ -86,6 +87,61 @@ SummaryTest identified(const EvaluatedDocument &evaluated, std::size_t index, co
             motionOf(test) == Motion::rotary};
 }
 
+/// The limit of a parameter that was agreed for another edition; null if there is none.
+const AgreedLimit *openLimitOf(const TestEvaluation &evaluation, const Parameter &parameter) {
+    const auto found = std::ranges::find_if(evaluation.limits, [&](const AgreedLimit &limit) {
+        return std::ranges::find(limit.parameters, parameterId(parameter)) != limit.parameters.end();
+    });
+    return parameter.limit || found == evaluation.limits.end() ? nullptr : &*found;
+}
+
+/// Enters a limit that cannot be evaluated into the cells of a row, which are those of resultHeadings.
+void enter(QStringList &cells, const AgreedLimit &limit, Quantity quantity, SummaryForm form,
+           const Language &language) {
+    const bool csv = form == SummaryForm::csv;
+    cells[3] = csv ? QString::fromStdString(shortest(*limit.limit.value))
+                   : language.number(*limit.limit.value, quantity,
+                                     limitDecimals(*limit.limit.value, quantity, language.units()));
+    cells[4] = csv ? QString::fromUtf8(resultUnit(quantity)) : language.unit(quantity);
+    cells[5] = csv ? QString::fromUtf8(fileWord(limit.state))
+                   : language.text(REPORT_TEXT_FOR("report", "not evaluable", "a limit"));
+}
+
+/// The cells of resultHeadings: a row for each parameter, then one for each limit without any.
+std::vector<QStringList> resultRows(const EvaluatedDocument &evaluated, std::size_t test, SummaryForm form,
+                                    const Language &language) {
+    const TestEvaluation &evaluation = *evaluated.tests[test];
+    std::vector<QStringList> rows;
+    const auto add = [&](const Parameter &parameter, const auto &cell) {
+        QStringList &row = rows.emplace_back();
+        for (const char *heading : resultHeadings)
+            row << cell(heading);
+        if (const AgreedLimit *limit = openLimitOf(evaluation, parameter))
+            enter(row, *limit, parameter.term.quantity, form, language);
+    };
+    if (form == SummaryForm::csv) {
+        for (const Parameter &parameter : evaluation.parameters)
+            add(parameter, [&](const char *heading) {
+                return cellText(resultColumn(heading).told({parameter, evaluation.uncertainty, language}));
+            });
+    } else {
+        for (const ResultLine &line : resultTable(evaluated, test, language).lines) {
+            const auto parameter =
+                std::ranges::find(evaluation.parameters, line.id.toStdString(), parameterId);
+            add(*parameter, [&](const char *heading) { return line.cell(heading); });
+        }
+    }
+    const Quantity quantity = deviationQuantity(*evaluated.document->tests[test]);
+    for (const AgreedLimit &limit : evaluation.limits) {
+        if (!limit.parameters.empty())
+            continue;
+        const QString name = QString::fromStdString(form == SummaryForm::csv ? limit.key : limit.symbol);
+        const QString none = form == SummaryForm::csv ? QString() : QStringLiteral("–");
+        enter(rows.emplace_back(QStringList{name, none, none, {}, {}, {}}), limit, quantity, form, language);
+    }
+    return rows;
+}
+
 } // namespace
 
 std::string shortText(const Interval &interval) {
@@ -142,23 +198,10 @@ std::vector<QStringList> summaryRows(const EvaluatedDocument &evaluated, const Q
         const TestEvaluation &evaluation = *evaluated.tests[i];
         const QStringList head = summaryCells(identified(evaluated, i, file), form, language);
         const QString accordance = summaryAccordance(evaluation.accordance(), form, language);
-        if (form == SummaryForm::csv) {
-            for (const Parameter &parameter : evaluation.parameters) {
-                QStringList row = head;
-                for (const char *heading : resultHeadings)
-                    row << cellText(
-                        resultColumn(heading).told({parameter, evaluation.uncertainty, language}));
-                rows.push_back(row << accordance);
-            }
-        } else {
-            for (const ResultLine &line : resultTable(evaluated, i, language).lines) {
-                QStringList row = head;
-                for (const char *heading : resultHeadings)
-                    row << line.cell(heading);
-                rows.push_back(row << accordance);
-            }
-        }
-        if (evaluation.parameters.empty()) {
+        const std::vector<QStringList> results = resultRows(evaluated, i, form, language);
+        for (const QStringList &result : results)
+            rows.push_back(head + result + QStringList{accordance});
+        if (results.empty()) {
             QStringList row = head;
             row.resize(head.size() + static_cast<qsizetype>(resultHeadings.size()) + 1);
             row.last() = accordance;

@@ -11,6 +11,7 @@
 #include "report/attachedfile.h"
 #include "report/blocks/pagetext.h"
 #include "report/parts/parts.h"
+#include "report/tables/summary.h"
 
 #include <QDir>
 #include <QFile>
@@ -853,7 +854,6 @@ private slots:
         QVERIFY2(said.text.plain().contains("G8, P2: no tolerance"), qPrintable(said.text.plain()));
     }
 
-    /// A statement on a rotary axis is printed, in a joint table as in that of one test.
     /// A row beyond its tolerance is named with the band by which it was judged, which is a part of U.
     void aSheetStatesTheBandOfItsRule() {
         Document changed = *document("machine-acceptance-sheet");
@@ -898,6 +898,7 @@ private slots:
         }
     }
 
+    /// A statement on a rotary axis is printed, in a joint table as in that of one test.
     void theCorrectionOfARotaryAxisIsPrinted() {
         Document changed = *document("rotary-axis");
         const Language english(Language::Id::english);
