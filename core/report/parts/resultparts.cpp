@@ -636,7 +636,7 @@ namespace {
 
 /// The number that the window shows, below the last findings of a test.
 void addCount(std::vector<Block> &blocks, const TestPart &part) {
-    const QString all = countedFindings(part.evaluation, part.write.language()).all;
+    const QString all = findingsByGrade(part.evaluation, part.write.language());
     blocks.emplace_back(Paragraph{
         part.write.say(REPORT_TEXT("report", "Findings of the test in all: %1."), all), TextSize::small});
 }

@@ -78,6 +78,22 @@ QString missingStatements(int count, const Language &language) {
     return language.sentence({REPORT_TEXT_COUNTED("report", "%n required statement(s) missing"), {}, count});
 }
 
+QString findingsByGrade(const TestEvaluation &evaluation, const Language &language) {
+    const bool wasRead = evaluation.edition && evaluation.edition->textRead != TextRead::none;
+    QStringList parts{requirementsText(evaluation, language)};
+    const auto add = [&](const Text &words, Grade grade) {
+        const auto count = std::ranges::count_if(evaluation.findings, [&](const Finding &finding) {
+            return finding.grade == grade && !countsForAccordance(finding, wasRead);
+        });
+        if (count > 0)
+            parts << language.sentence({words, {}, static_cast<int>(count)});
+    };
+    add(REPORT_TEXT_COUNTED("report", "%n recommendation(s)"), Grade::recommendation);
+    add(REPORT_TEXT_COUNTED("report", "%n note(s)"), Grade::note);
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(" · "));
+}
+
 CountedFindings countedFindings(const TestEvaluation &evaluation, const Language &language) {
     const bool wasRead = evaluation.edition && evaluation.edition->textRead != TextRead::none;
     int missing = 0;

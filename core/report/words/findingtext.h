@@ -25,7 +25,11 @@ struct TestEvaluation;
 /// "7 required statements missing".
 [[nodiscard]] QString missingStatements(int count, const Language &language);
 
-/// How many findings there are, for the window and the report: "4 requirements not met, 12 not declared · 7
+/// How many findings there are, as a reader of the report can recount them: "4 requirements not met · 1
+/// recommendation · 9 notes".
+[[nodiscard]] QString findingsByGrade(const TestEvaluation &evaluation, const Language &language);
+
+/// The same for the window, whose pages count what is missing: "4 requirements not met, 12 not declared · 7
 /// other required statements missing · 2 notes". Begins as the accordance does.
 struct CountedFindings {
     QString lack; ///< without the notes; empty if there is nothing to do

@@ -177,6 +177,11 @@ void AccordanceTest::findingsCountAsTheSentence() {
                     const QString sentence = accordanceText(Test(), found, language, false);
                     QVERIFY2(sentence.endsWith(numbers + u'.'), qPrintable(sentence));
                     QVERIFY(countedFindings(found, language).all.startsWith(numbers));
+                    found.findings.push_back({.source = Source::laboratory, .missing = true});
+                    found.findings.push_back({.grade = Grade::recommendation, .missing = true});
+                    QVERIFY(findingsByGrade(found, language).startsWith(numbers));
+                    QVERIFY(
+                        findingsByGrade(found, Language(Language::Id::english)).contains(" recommendation"));
                 }
             }
         }
