@@ -1651,6 +1651,10 @@
         <translation>Origine du déplacement</translation>
     </message>
     <message>
+        <source>Sampling interval</source>
+        <translation>Intervalle d’échantillonnage</translation>
+    </message>
+    <message>
         <source>Maker’s thermal guidelines</source>
         <translation>Recommandations thermiques du constructeur</translation>
     </message>

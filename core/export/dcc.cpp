@@ -10,6 +10,7 @@
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/coverage.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
+#include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/words/shortest.h"
@@ -75,6 +76,12 @@ const char *conformityOf(const SheetResult &row) {
 /// For verdicts on several values; see dcc.h for tests.
 const char *conformityWord(Verdict verdict) {
     return inOrder(verdict, {"pass", "noPass", "fail"});
+}
+
+/// "Decision rule: ISO 14253-1, guard band 0.83 U."
+QString ruleText(const DecisionRule &rule, const Language &language) {
+    const std::string words = ruleWithBand(rule, ruleWords(rule.rule).inReport, language).toStdString();
+    return language.sentence(REPORT_TEXT("report", "Decision rule: %1"), {words}) + u'.';
 }
 
 /// Units of the acceptance sheet that D-SI has.
@@ -434,8 +441,8 @@ private:
         condition(both(name), [&] {
             for (const auto &[words, value] : {std::pair{REPORT_TEXT("report", "Start"), of.start},
                                                std::pair{REPORT_TEXT("report", "End"), of.end}}) {
-                if (value)
-                    quantity(words, *value, Quantity::temperature);
+                if (value) // a mean of decimals may have a rounding error
+                    quantity(words, std::round(*value * 1e6) / 1e6, Quantity::temperature);
             }
         });
     }
@@ -500,6 +507,19 @@ private:
         }
     }
 
+    void writeSampleIntervals(const CircularMeasurement &circle) {
+        for (const Arc &arc : circle.arcs) {
+            const auto name = both([&](const Language &language) {
+                return language.sentence(nameAndText, {REPORT_TEXT("report", "Sampling interval"),
+                                                       iso230_4::axisIndex(circle.plane, arc.sense)});
+            });
+            if (arc.sampleInterval)
+                condition(name, [&] {
+                    quantity(REPORT_TEXT("report", "Sampling interval"), *arc.sampleInterval, Quantity::time);
+                });
+        }
+    }
+
     void writeExcluded(const Test &test, const Edition &edition) {
         const auto *axis = std::get_if<PositioningMeasurement>(&test.measurement);
         if (axis && !axis->excluded.empty())
@@ -527,6 +547,8 @@ private:
             const QStringList numbers = writeNumbers(test);
             condition(both(REPORT_TEXT("report", "Correction to 20 °C")),
                       [&] { said("dcc:text", correctionText(conditions->correctionTo20)); });
+            if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement))
+                writeSampleIntervals(*circle);
             writeWords(index, numbers);
             writeExcluded(test, *m_evaluated.tests[index]->edition);
         });
@@ -556,8 +578,10 @@ private:
         within("dcc:result", [&] {
             said("dcc:name", REPORT_TEXT("report", "Results"));
             within("dcc:data", [&] {
-                for (const Parameter &parameter : evaluation.parameters)
-                    within("dcc:quantity", [&] { writeParameter(parameter, test, evaluation); });
+                for (const Parameter &parameter : evaluation.parameters) {
+                    if (parameter.required || parameter.limit)
+                        within("dcc:quantity", [&] { writeParameter(parameter, test, evaluation); });
+                }
                 const auto range = rangeAtRest(test);
                 if (range)
                     quantity(REPORT_TEXT("report", "Environmental variation E_VE"), *range,
@@ -577,6 +601,26 @@ private:
                     said("dcc:description", kindWords(test).budget);
                 within("dcc:data", [&] { writeBudget(test, evaluation); });
             });
+        writeImportedResults(test);
+    }
+
+    /// Results stated by the programs of the instruments, for comparison.
+    void writeImportedResults(const Test &test) {
+        const auto any = [](const ImportedFile &file) { return !file.results.empty(); };
+        if (std::ranges::none_of(test.imports, any))
+            return;
+        within("dcc:result", [&] {
+            said("dcc:name", REPORT_TEXT("report", "Result stated by the instrument’s program"));
+            within("dcc:data", [&] {
+                for (const ImportedFile &file : test.imports) {
+                    for (const ImportedResult &stated : file.results)
+                        within("dcc:quantity", [&] {
+                            said("dcc:name", stated.name.empty() ? file.fileName : stated.name);
+                            writeSheetNumber(stated.value, {}, stated.unit);
+                        });
+                }
+            });
+        });
     }
 
     [[nodiscard]] TestPart partOf(std::size_t index, const Writer &write) const {
@@ -714,7 +758,9 @@ private:
             leaf("dcc:convention", std::string(fileWord(head().decisionRule.rule)));
             said("dcc:declaration", both([&](const Language &language) {
                      const VerdictStatement said = sheetStatement(m_evaluated, Writer(language));
-                     return said.state + QStringLiteral(". ") + said.text.plain();
+                     return joined(
+                         {said.state + u'.', said.text.plain(), ruleText(head().decisionRule, language)},
+                         QStringLiteral(" "));
                  }));
             if (verdict)
                 leaf("dcc:conformity", std::string(conformityWord(*verdict)));
@@ -763,8 +809,10 @@ private:
             leaf("dcc:convention", std::string(fileWord(test.decisionRule.rule)));
             leaf("dcc:norm", std::string(evaluation.edition->word));
             said("dcc:declaration", both([&](const Language &language) {
-                     return language.text(word.word) + QStringLiteral(". ") +
-                            accordanceText(test, evaluation, language, false);
+                     return joined({language.text(word.word) + u'.',
+                                    accordanceText(test, evaluation, language, false),
+                                    ruleText(test.decisionRule, language)},
+                                   QStringLiteral(" "));
                  }));
             if (judged && evaluation.verdict)
                 leaf("dcc:conformity", std::string(conformityWord(*evaluation.verdict)));
@@ -781,7 +829,6 @@ private:
                 said("dcc:declaration", both([&](const Language &language) {
                          return notEvaluableSentence(evaluation, language);
                      }));
-                leaf("dcc:conformity", std::string("noPass"));
                 within("dcc:data", [&] { quantity(limitWord, *limit.limit.value, deviationQuantity(test)); });
             });
         }
