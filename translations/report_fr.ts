@@ -3674,6 +3674,10 @@
         <translation>coefficient de dilatation de la machine</translation>
     </message>
     <message>
+        <source>2 · %1, from temperatures (one sensor for machine and instrument) and coefficients of expansion</source>
+        <translation>2 · %1, des températures (un seul capteur pour machine et instrument) et coefficients de dilatation</translation>
+    </message>
+    <message>
         <source>range R(θ) of the temperature of the machine</source>
         <translation>étendue R(θ) de la température de la machine</translation>
     </message>

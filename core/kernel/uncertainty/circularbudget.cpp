@@ -181,8 +181,12 @@ private:
         constexpr double parts = 1e-6; // α is in µm/(m·°C)
         const double u = m_measurement.nominalRadius * parts * std::sqrt(squares) * micrometresPerMm;
         constexpr int decimals = 3;
-        result.inputs = {REPORT_TEXT("report", "2 · %1, from temperatures and coefficients of expansion"),
-                         {Number{std::isfinite(u) ? u : 0, Quantity::micrometres, decimals}}};
+        result.inputs = {
+            m_inputs.sameSensor
+                ? REPORT_TEXT("report", "2 · %1, from temperatures (one sensor for machine and "
+                                        "instrument) and coefficients of expansion")
+                : REPORT_TEXT("report", "2 · %1, from temperatures and coefficients of expansion"),
+            {Number{std::isfinite(u) ? u : 0, Quantity::micrometres, decimals}}};
         store(std::move(result), u);
     }
 
