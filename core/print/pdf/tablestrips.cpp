@@ -89,6 +89,21 @@ std::vector<double> fractionsOf(const Table &table) {
     return result;
 }
 
+/// Width that the numbers of a column need, with padding: they must not be broken.
+double widthOfNumbers(const Table &table, std::size_t column, double fraction) {
+    QString longest; // digits are equally wide
+    bool bold = false;
+    table.eachRow([&](const std::vector<Cell> &row) {
+        const QString text = row[column].text.plain();
+        if (row[column].extras->columns > 1 || !isNumber(text))
+            return;
+        bold |= row[column].bold;
+        if (const QString whole = text.left(decimalMark(text)); whole.size() > longest.size())
+            longest = whole;
+    });
+    return paddingBefore(table, column) + textWidth(longest, styled(bold)) + fraction + cellPadding;
+}
+
 /// Width that the widest text of a column needs on one line, with padding.
 double neededWidth(const Table &table, std::size_t column, double fraction) {
     const bool spread = table.columns[column].titleSpan > 1;
@@ -105,6 +120,25 @@ double neededWidth(const Table &table, std::size_t column, double fraction) {
     return paddingBefore(table, column) + widest + cellPadding;
 }
 
+/// Takes from columns of fitted texts what the flexible ones lack of half their width; returns how much.
+double leaveRoom(const Table &table, std::vector<double> &widths, double rest) {
+    double lacking = -rest;
+    double fitted = 0;
+    const auto grown = [&](std::size_t i) {
+        const Column &column = table.columns[i];
+        const bool isText = column.fitting && column.alignment != Alignment::decimal;
+        return isText ? std::max(0.0, widths[i] - column.width * mm) : 0;
+    };
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        lacking -= table.columns[i].flexible ? widths[i] / 2 : 0;
+        fitted += grown(i);
+    }
+    const double share = fitted > 0 ? std::clamp(lacking / fitted, 0.0, 1.0) : 0;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+        widths[i] -= share * grown(i);
+    return share * fitted;
+}
+
 std::vector<double> columnWidths(const Table &table, double width, const std::vector<double> &fractions) {
     std::vector<double> result;
     double more = 0;
@@ -116,6 +150,8 @@ std::vector<double> columnWidths(const Table &table, double width, const std::ve
         if (column.fitting)
             result[i] =
                 std::max(result[i], std::min(neededWidth(table, i, fractions[i]), width * mostFitted));
+        if (column.alignment == Alignment::decimal && column.width > 0)
+            result[i] = std::max(result[i], widthOfNumbers(table, i, fractions[i]));
         more += result[i] - column.width * mm;
         sharing += column.width <= 0 ? 1 : 0;
         flexible += column.flexible ? 1 : 0;
@@ -127,7 +163,9 @@ std::vector<double> columnWidths(const Table &table, double width, const std::ve
         more -= given;
         fixed += result[i] + table.columns[i].gapBefore * mm;
     }
-    const double rest = width - fixed;
+    double rest = width - fixed;
+    if (sharing == 0 && flexible > 0)
+        rest += leaveRoom(table, result, rest);
     for (std::size_t i = 0; i < result.size(); ++i) {
         const Column &column = table.columns[i];
         if (sharing > 0)
@@ -227,6 +265,19 @@ PlacedText narrowText(const Cell &cell, const Place &place, double room) {
     return {TextBlock(text, style, room), place.left, room, TextAlignment::left};
 }
 
+/// A text reduced if that keeps its longest word whole.
+TextBlock wordText(const RichText &text, TextStyle style, double width) {
+    constexpr double smallest = 7;
+    TextBlock block(text, style, width);
+    for (const double leading = style.size * style.leading; block.splitsWord() && style.size > smallest;) {
+        style.size = std::max(smallest, style.size - 0.5);
+        style.leading = leading / style.size;
+        if (TextBlock smaller(text, style, width); !smaller.splitsWord())
+            block = std::move(smaller);
+    }
+    return block;
+}
+
 /// Adds what a cell has in place of a text; returns false if it has a text.
 bool addPicture(PrintedRow &row, const Cell &cell, const Place &place, const QColor &ink) {
     if (cell.extras->guard)
@@ -260,7 +311,7 @@ void addCell(PrintedRow &row, const Cell &cell, const Column &column, const Plac
         const double before = cell.mark == Mark::none ? 0 : markWidth;
         if (cell.mark != Mark::none)
             row.signs.push_back({cell.mark, {}, place.left, {}, false, ink});
-        placed = {TextBlock(text, style, place.width - before), place.left + before, place.width - before,
+        placed = {wordText(text, style, place.width - before), place.left + before, place.width - before,
                   textAlignment(column.alignment)};
     }
     std::size_t lines = placed.block.lineCount();
@@ -756,7 +807,11 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
         TextStyle bold = style;
         bold.bold = line.grade == Grade::requirement;
         gradeWidth = std::max(gradeWidth, textWidth(line.gradeName, bold) + cellPadding);
-        while (clauseWidth < widestClause && TextBlock(line.clause, style, clauseWidth).lineCount() > 2)
+        const auto isTooNarrow = [&] {
+            const TextBlock clause(line.clause, style, clauseWidth);
+            return clause.lineCount() > 2 || clause.splitsWord();
+        };
+        while (clauseWidth < widestClause && isTooNarrow())
             clauseWidth += mm;
     }
     const double sentenceLeft = textLeft + gradeWidth + 2 * cellPadding;

@@ -357,10 +357,10 @@ bool joinsWords(QStringView text, qsizetype space) {
         return false;
     if (before == u"=" || after == u"=" || isWithinDesignation(text, space))
         return true;
-    static constexpr std::array<QStringView, 21> numbered{
-        u"ISO/IEC", u"JCGM",    u"ASME",    u"page",       u"pages",       u"n°",    u"No.",
-        u"clause",  u"clauses", u"article", u"articles",   u"annexe",      u"annex", u"Annex",
-        u"test",    u"Test",    u"essai",   u"paragraphe", u"paragraphes", u"germe", u"seed"};
+    static constexpr std::array<QStringView, 22> numbered{
+        u"ISO/IEC", u"JCGM",    u"ASME",       u"page",        u"pages", u"n°",    u"No.",    u"clause",
+        u"clauses", u"article", u"articles",   u"annexe",      u"annex", u"Annex", u"Annexe", u"test",
+        u"Test",    u"essai",   u"paragraphe", u"paragraphes", u"germe", u"seed"};
     for (qsizetype i = before.size(); i > 0; --i) {
         if (QStringView(u"’'(«“[\u00A0\u202F").contains(before[i - 1])) {
             before = before.mid(i);
@@ -610,6 +610,10 @@ double TextBlock::width() const {
     for (const Line &line : m_lines)
         widest = std::max(widest, line.width);
     return widest;
+}
+
+bool TextBlock::splitsWord() const {
+    return std::ranges::any_of(m_lines, &Line::goesOn);
 }
 
 double TextBlock::ascent() const {

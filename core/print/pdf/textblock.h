@@ -88,6 +88,7 @@ public:
     [[nodiscard]] double width() const; ///< of the widest line
     [[nodiscard]] std::size_t lineCount() const { return m_lines.size(); }
     [[nodiscard]] bool empty() const { return m_lines.empty(); }
+    [[nodiscard]] bool splitsWord() const; ///< a word is wider than a line
     /// Distance from the top of the block to its first baseline.
     [[nodiscard]] double ascent() const;
     /// Its text without line ends.
