@@ -977,6 +977,10 @@
         <translation>bande de garde %1 U</translation>
     </message>
     <message>
+        <source>The stated factor of a guard band, %1, has no effect.</source>
+        <translation>Le facteur de bande de garde indiqué, %1, est sans effet.</translation>
+    </message>
+    <message>
         <source>Edition</source>
         <translation>Édition</translation>
     </message>
@@ -1185,6 +1189,10 @@
         <translation>Pas de valeur pour %1&#xa0;: voir ce qui manque à l’essai.</translation>
     </message>
     <message>
+        <source>The required result %1 has no value: %2.</source>
+        <translation>Le résultat exigé %1 n’a pas de valeur&#xa0;: %2.</translation>
+    </message>
+    <message>
         <source>The test has no measured points in the evaluated range.</source>
         <translation>L’essai n’a aucun point mesuré dans l’étendue évaluée.</translation>
     </message>
@@ -1193,10 +1201,6 @@
         <translation>La trajectoire %1 couvre %2&#xa0;: au moins 90° sont exigés.</translation>
     </message>
     <message>
-    <message>
-        <source>The required result %1 has no value: %2.</source>
-        <translation>Le résultat exigé %1 n’a pas de valeur&#xa0;: %2.</translation>
-    </message>
         <source>Only the path %1 was measured: bi-directional results need both senses.</source>
         <translation>Seule la trajectoire %1 a été mesurée&#xa0;: les résultats bidirectionnels demandent les deux sens.</translation>
     </message>
@@ -1647,12 +1651,12 @@
         <translation>Points visés</translation>
     </message>
     <message>
-        <source>Zero of displacement</source>
-        <translation>Origine du déplacement</translation>
-    </message>
-    <message>
         <source>Sampling interval</source>
         <translation>Intervalle d’échantillonnage</translation>
+    </message>
+    <message>
+        <source>Zero of displacement</source>
+        <translation>Origine du déplacement</translation>
     </message>
     <message>
         <source>Maker’s thermal guidelines</source>
@@ -2071,6 +2075,10 @@
     <message>
         <source>Within its limit: %1.</source>
         <translation>Limite respectée&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Within their limits: %1.</source>
+        <translation>Limites respectées&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Verdict of the test</source>
@@ -3666,16 +3674,16 @@
         <translation>2 · %1, des températures et coefficients de dilatation</translation>
     </message>
     <message>
+        <source>2 · %1, from temperatures (one sensor for machine and instrument) and coefficients of expansion</source>
+        <translation>2 · %1, des températures (un seul capteur pour machine et instrument) et coefficients de dilatation</translation>
+    </message>
+    <message>
         <source>temperature of the machine</source>
         <translation>température de la machine</translation>
     </message>
     <message>
         <source>coefficient of expansion of the machine</source>
         <translation>coefficient de dilatation de la machine</translation>
-    </message>
-    <message>
-        <source>2 · %1, from temperatures (one sensor for machine and instrument) and coefficients of expansion</source>
-        <translation>2 · %1, des températures (un seul capteur pour machine et instrument) et coefficients de dilatation</translation>
     </message>
     <message>
         <source>range R(θ) of the temperature of the machine</source>
@@ -8572,6 +8580,14 @@
         <translation>La longueur d’axe indiquée de %1 est contredite par les points visés, qui s’étendent sur %2&#xa0;: c’est cette étendue qui est jugée.</translation>
     </message>
     <message>
+        <source>The stated axis travel of %1 is contradicted by the stated ends of the axis, which lie %2 apart.</source>
+        <translation>La longueur d’axe indiquée de %1 est contredite par les extrémités indiquées de l’axe, distantes de %2.</translation>
+    </message>
+    <message>
+        <source>The stated ends of the axis are contradicted by targets beyond them.</source>
+        <translation>Les extrémités indiquées de l’axe sont contredites par des points visés situés au-delà.</translation>
+    </message>
+    <message>
         <source>The path %1 has no measured points in the evaluated range.</source>
         <translation>La trajectoire %1 n’a aucun point mesuré dans l’étendue évaluée.</translation>
     </message>
@@ -8596,14 +8612,6 @@
         <translation>un seul sens a été mesuré&#xa0;: pas de compensation par sens</translation>
     </message>
     <message>
-    <message>
-        <source>The stated axis travel of %1 is contradicted by the stated ends of the axis, which lie %2 apart.</source>
-        <translation>La longueur d’axe indiquée de %1 est contredite par les extrémités indiquées de l’axe, distantes de %2.</translation>
-    </message>
-    <message>
-        <source>The stated ends of the axis are contradicted by targets beyond them.</source>
-        <translation>Les extrémités indiquées de l’axe sont contredites par des points visés situés au-delà.</translation>
-    </message>
         <source>Only the positive direction was measured: its values stand for the negative one, too.</source>
         <translation>Seul le sens positif a été mesuré&#xa0;: ses valeurs valent aussi pour le sens négatif.</translation>
     </message>

@@ -11,6 +11,7 @@
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -362,7 +363,8 @@ VerdictLine decisionLine(const TestComparison &comparison, const Language &langu
     line.interprets = true;
     line.mark = markOf(*word);
     line.label = write.text(REPORT_TEXT_FOR("report", "Decision", "on two tests"));
-    line.word = write.text(changeText(*word)).toUpper();
+    static const QRegularExpression symbol(QStringLiteral("\\bT\\b")); // of the tolerance: stays small
+    line.word = write.text(changeText(*word)).toUpper().replace(symbol, QStringLiteral("t"));
     const std::vector<ComparedWords> words = comparedWords(comparison, language);
     std::size_t said = 0;
     std::size_t changed = 0;

@@ -10,6 +10,7 @@
 #include "kernel/evaluation/asked.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/statedinputs.h"
+#include "kernel/words/characters.h"
 #include "language/decimals.h"
 #include "report/words/wording.h"
 
@@ -41,7 +42,10 @@ QString specifiedText(const Writer &write, SpecifiedBy by) {
 QString warmUpText(const Writer &write, const WarmUp &warmUp) {
     const QString by = specifiedText(write, warmUp.specifiedBy);
     const bool saysBy = warmUp.kind == WarmUpKind::procedure && !by.isEmpty();
-    return joined({saysBy ? QString() : write.text(statedWord("warmUp", warmUp.kind)),
+    const bool onlyText = warmUp.kind == WarmUpKind::notStated && !isBlank(warmUp.text);
+    return joined({onlyText ? write.text(REPORT_TEXT("report", "not stated"))
+                   : saysBy ? QString()
+                            : write.text(statedWord("warmUp", warmUp.kind)),
                    warmUp.kind == WarmUpKind::setUpOnly ? QString() : by,
                    QString::fromStdString(warmUp.text)});
 }
@@ -506,9 +510,10 @@ KeyValues conditionRows(const TestPart &part) {
 QString takeMissing(KeyValues &rows, const Writer &write) {
     QStringList missing;
     std::erase_if(rows.rows, [&](const KeyValue &row) {
-        if (row.value.isEmpty())
+        const bool isBlank = row.value.trimmed().isEmpty();
+        if (isBlank)
             missing << withinList(row.key);
-        return row.value.isEmpty();
+        return isBlank;
     });
     return missing.join(write.semicolon());
 }

@@ -480,7 +480,9 @@ QString judged(const TestPart &part, const std::vector<PrintedResult> &results, 
     if (!numbers.isEmpty())
         all << numbers;
     if (!allMet && !good.empty())
-        all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."), met);
+        all << part.write.say(good.size() == 1 ? REPORT_TEXT("report", "Within its limit: %1.")
+                                               : REPORT_TEXT("report", "Within their limits: %1."),
+                              met);
     return all.join(u' ');
 }
 

@@ -33,7 +33,7 @@ QString testName(const Writer &write, const Test &test) {
 }
 
 QString joined(QStringList texts, const QString &separator) {
-    texts.removeAll(QString());
+    texts.removeIf([](const QString &text) { return text.trimmed().isEmpty(); });
     return texts.join(separator);
 }
 
@@ -67,9 +67,11 @@ QString periodText(const Writer &write, const std::optional<std::string> &from,
 }
 
 QString partyText(const Party &party) {
-    QString address = QString::fromStdString(party.address);
-    return joined({QString::fromStdString(party.name), address.replace(u'\n', QStringLiteral(", ")),
-                   QString::fromStdString(party.contact)});
+    QStringList lines{QString::fromStdString(party.name)};
+    lines << QString::fromStdString(party.address).split(u'\n') << QString::fromStdString(party.contact);
+    for (QString &line : lines)
+        line = line.trimmed();
+    return joined(lines);
 }
 
 void leaveOutEmptyColumns(Table &table, std::size_t first, std::size_t last) {

@@ -71,10 +71,11 @@ public:
         : m_write(write)
         , m_values(std::move(values)) {}
 
-    /// An empty value is omitted unless the row is needed.
+    /// A blank value is none, and omitted unless the row is needed.
     void add(const Text &label, const QString &value, bool needed = true) {
-        if (needed || !value.isEmpty())
-            m_values.rows.push_back({m_write.text(label), value});
+        const bool isBlank = value.trimmed().isEmpty();
+        if (needed || !isBlank)
+            m_values.rows.push_back({m_write.text(label), isBlank ? QString() : value});
     }
     void add(const Text &label, const std::string &value, bool needed = true) {
         add(label, QString::fromStdString(value), needed);
