@@ -78,8 +78,10 @@ Kind kindIn(const json &file) {
 }
 
 /// Returns a test of that kind without readings, to contain limits or conditions.
-Test bearer(Kind kind) {
+Test bearer(Kind kind, Motion motion = Motion::linear) {
     Test test = testOf(kind);
+    if (auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
+        positioning->axis.motion = motion;
     test.edition = defaultEdition(kind).word;
     if (auto *radius = partOr<double *>(nullptr, test.measurement, [](auto &m) -> decltype(&m.nominalRadius) {
             return &m.nominalRadius;
@@ -102,6 +104,8 @@ json testFile(const json &file, const TemplatePart &part) {
     const std::string_view key = part.key;
     if (key == "limits") {
         json test = writtenBearer(kindIn(file));
+        if (file.contains("motion"))
+            test["axis"]["motion"] = file["motion"]; // refused by the reader where the kind has no axis
         test["limits"] = file["limits"];
         if (file.contains("decisionRule"))
             test["decisionRule"] = file["decisionRule"];
@@ -120,6 +124,8 @@ std::string placeInTemplate(const std::string &place, const TemplatePart &part) 
         return place;
     std::string rest = place.substr(std::string_view(part.place).size());
     const bool isTest = std::string_view(part.key) == "limits";
+    if (isTest && rest.starts_with(".axis"))
+        return "motion";
     if (isTest)
         return rest.empty() ? part.key : rest.substr(1);
     return part.key + rest;
@@ -145,7 +151,7 @@ void requireKnownKeys(const json &file, const TemplatePart &part) {
     const bool isLimits = std::string_view(part.key) == "limits";
     for (const auto &[key, value] : file.items()) {
         const bool known = key == "format" || key == "version" || key == "name" || key == part.key ||
-                           (isLimits && (key == "kind" || key == "decisionRule"));
+                           (isLimits && (key == "kind" || key == "motion" || key == "decisionRule"));
         if (!known)
             refuse(REPORT_TEXT("report", "this key is unknown"), {}, excerpt(key));
     }
@@ -171,7 +177,7 @@ decltype(Template::content) contentOf(Document document, const TemplatePart &par
     const Test &test = *document.tests.at(0);
     if (key == "conditions")
         return declarationsOf(test);
-    return LimitSet{kindOf(test), test.limits, test.decisionRule};
+    return LimitSet{kindOf(test), test.limits, test.decisionRule, motionOf(test)};
 }
 
 } // namespace
@@ -212,7 +218,7 @@ QByteArray writeTemplate(const Template &content) {
         document.tests = {std::make_shared<const Test>(std::move(test))};
     } else {
         const auto &set = std::get<LimitSet>(content.content);
-        Test test = bearer(set.kind);
+        Test test = bearer(set.kind, set.motion);
         test.limits = set.limits;
         test.decisionRule = set.decisionRule;
         document.tests = {std::make_shared<const Test>(std::move(test))};
@@ -222,6 +228,8 @@ QByteArray writeTemplate(const Template &content) {
     if (const auto *set = std::get_if<LimitSet>(&content.content)) {
         const json &test = file["tests"][0];
         result["kind"] = fileWord(set->kind);
+        if (set->motion != Motion::linear)
+            result["motion"] = fileWord(set->motion);
         result["limits"] = test["limits"];
         result["decisionRule"] = test["decisionRule"];
     } else {
@@ -252,6 +260,7 @@ bool applyDeclarations(Test &test, const Declarations &declarations) {
 LimitSet limitSetOf(const Test &test) {
     LimitSet set;
     set.kind = kindOf(test);
+    set.motion = motionOf(test);
     set.decisionRule = test.decisionRule;
     set.limits = test.limits;
     for (auto &[id, limit] : set.limits) {
@@ -261,8 +270,12 @@ LimitSet limitSetOf(const Test &test) {
     return set;
 }
 
+bool fits(const LimitSet &set, const Test &test) {
+    return kindOf(test) == set.kind && motionOf(test) == set.motion;
+}
+
 bool applyLimitSet(Test &test, const LimitSet &set) {
-    if (kindOf(test) != set.kind)
+    if (!fits(set, test))
         return false;
     test.limits = set.limits;
     test.decisionRule = set.decisionRule;

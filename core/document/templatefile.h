@@ -12,12 +12,13 @@
 
 namespace palmer {
 
-/// A set of limits with its decision rule, for tests of one kind. Each limit names the edition it was agreed
-/// for.
+/// A set of limits with its decision rule, for tests of one kind and motion: the same number is a length on a
+/// linear axis and an angle on a rotary one. Each limit names the edition it was agreed for.
 struct LimitSet {
     Kind kind = Kind::positioning;
     Limits limits;
     DecisionRule decisionRule;
+    Motion motion = Motion::linear;
 
     bool operator==(const LimitSet &) const = default;
 };
@@ -46,7 +47,8 @@ struct Template {
 //      "machine": {…}}                  as `machine` of a test file, or
 //      "instrument": {…}                as one of `instruments`, or
 //      "laboratory": {…}                as `report.laboratory`, or
-//      "kind": "positioning" | "circular", "limits": {…}, "decisionRule": {…}   as in a test, or
+//      "kind": "positioning" | "circular", "motion": "rotary" (absent: "linear"),
+//      "limits": {…}, "decisionRule": {…}   as in a test, or
 //      "conditions": {…}                what Declarations holds of `conditions` of a test
 //
 // Exactly one of the five. Anything else, an unknown key among it, is refused.
@@ -66,7 +68,10 @@ struct Template {
 /// Copies what is stated there and leaves the rest unchanged; returns false without change for a drift test.
 bool applyDeclarations(Test &test, const Declarations &declarations);
 
-/// Replaces the limits of the test; returns false without change for a test of another kind.
+/// True for a test of the kind and motion that the limits are for.
+[[nodiscard]] bool fits(const LimitSet &set, const Test &test);
+
+/// Replaces the limits of the test; returns false without change where they do not fit.
 bool applyLimitSet(Test &test, const LimitSet &set);
 
 } // namespace palmer

@@ -56,7 +56,7 @@ bool TemplateButton::fits(const Template &content) const {
     if (m_kind == Kind::conditions)
         return test && conditionsOf(*test);
     const auto *set = std::get_if<LimitSet>(&content.content);
-    return !set || (test && kindOf(*test) == set->kind);
+    return !set || (test && palmer::fits(*set, *test));
 }
 
 bool TemplateButton::apply(const Template &content) {

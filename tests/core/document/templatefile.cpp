@@ -41,6 +41,12 @@ Template limits(Kind kind) {
     return {"contract 12", set};
 }
 
+Template limitsOfARotaryAxis() {
+    Template result = limits(Kind::positioning);
+    std::get<LimitSet>(result.content).motion = Motion::rotary;
+    return result;
+}
+
 Template declarations() {
     Declarations declared;
     declared.conditions.complete = true;
@@ -68,6 +74,7 @@ private slots:
         QTest::newRow("a laboratory with its logo") << laboratory();
         QTest::newRow("limits of positioning") << limits(Kind::positioning);
         QTest::newRow("limits of circles") << limits(Kind::circular);
+        QTest::newRow("limits of a rotary axis") << limitsOfARotaryAxis();
         QTest::newRow("declarations") << declarations();
         QTest::newRow("no declaration") << Template{"", Declarations()};
     }
@@ -108,6 +115,10 @@ private slots:
         QTest::newRow("a condition of a wrong type")
             << file(R"("conditions": {"complete": 1})") << QByteArray("conditions.complete");
         QTest::newRow("conditions that are none") << file(R"("conditions": [1])") << QByteArray("conditions");
+        QTest::newRow("a motion that is none")
+            << file(R"("kind": "positioning", "motion": "round", "limits": {})") << QByteArray("motion");
+        QTest::newRow("a motion of circles")
+            << file(R"("kind": "circular", "motion": "rotary", "limits": {})") << QByteArray("motion");
         QTest::newRow("limits of no kind") << file(R"("limits": {})") << QByteArray("kind");
         QTest::newRow("a rule that is none")
             << file(R"("kind": "circular", "limits": {}, "decisionRule": {"rule": "mine"})")
@@ -175,6 +186,11 @@ private slots:
         circle.measurement = CircularMeasurement();
         QVERIFY(!applyLimitSet(circle, set));
         QVERIFY(circle.limits.empty());
+        Test rotary = other; // its numbers are angles
+        std::get<PositioningMeasurement>(rotary.measurement).axis.motion = Motion::rotary;
+        rotary.limits.clear();
+        QVERIFY(!applyLimitSet(rotary, set) && rotary.limits.empty());
+        QVERIFY(applyLimitSet(rotary, limitSetOf(rotary)) && !applyLimitSet(other, limitSetOf(rotary)));
     }
 };
 
