@@ -3,6 +3,7 @@
 #include "commandline/optionvalues.h"
 
 #include "document/filewords.h"
+#include "document/setfield.h"
 #include "language/entry.h"
 
 #include <QRegularExpression>
@@ -56,14 +57,16 @@ void refuse(const char *option, const QString &given, const std::string &form) {
         {REPORT_TEXT("report", "%1 cannot be %2; expected %3"), {typed(option), given.toStdString(), form}});
 }
 
-double numberGiven(const char *option, const QString &given) {
-    // "1,000" can mean a thousand or one; "0,125" is unambiguous.
-    static const QRegularExpression grouped(QStringLiteral("^[+-]?[1-9][0-9]{0,2}(,[0-9]{3})+$"));
-    static const QRegularExpression power(QStringLiteral("^[^eE]+[eE][+-]?[0-9]{1,3}$"));
-    if (grouped.match(given).hasMatch())
+void requireClearComma(const std::string &option, const QString &given) {
+    if (mayBeGrouped(given.toStdString()))
         throw UsageError({REPORT_TEXT("report", "%1 cannot be %2: the comma may stand before thousands or "
                                                 "before decimals; write it without"),
-                          {typed(option), given.toStdString()}});
+                          {option, given.toStdString()}});
+}
+
+double numberGiven(const char *option, const QString &given) {
+    static const QRegularExpression power(QStringLiteral("^[^eE]+[eE][+-]?[0-9]{1,3}$"));
+    requireClearComma(typed(option), given);
     std::optional<double> value = enteredNumber(given, Quantity::number).value;
     if (bool isNumber = false; power.match(given).hasMatch()) {
         value = QString(given).replace(u',', u'.').toDouble(&isNumber);

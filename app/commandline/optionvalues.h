@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <string>
 
 namespace palmer {
 
@@ -22,6 +23,9 @@ namespace palmer {
 /// The value of an option with a point or a comma, with or without a power of ten (1e3); null without the
 /// option. Throws UsageError if it is no finite number, and for "1,000", which may be one or a thousand.
 [[nodiscard]] std::optional<double> numberOf(const Invocation &invocation, const char *option);
+
+/// Throws UsageError for "1,000", which may be one or a thousand.
+void requireClearComma(const std::string &option, const QString &given);
 
 /// Parses the number `given` to the option. Throws like numberOf().
 [[nodiscard]] double numberGiven(const char *option, const QString &given);

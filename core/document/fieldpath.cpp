@@ -18,15 +18,15 @@ namespace {
 
 using nlohmann::json;
 
-[[noreturn]] void refusePath(std::string_view path) {
+} // namespace
+
+void refusePath(std::string_view path) {
     throw Error(
         Error::Kind::content,
         {REPORT_TEXT("report", "“%1” is no path of a test file, as machine.name or tests[0].limits.A.value"),
          {std::string(path)},
          {}});
 }
-
-} // namespace
 
 std::vector<FieldStep> stepsOf(std::string_view path) {
     std::vector<FieldStep> steps;

@@ -26,6 +26,9 @@ struct FieldStep {
 /// Parses a path: "tests[0].limits" → tests, 0, limits. Throws Error if it is not one.
 [[nodiscard]] std::vector<FieldStep> stepsOf(std::string_view path);
 
+/// Throws Error: the text is no path of a test file.
+[[noreturn]] void refusePath(std::string_view path);
+
 /// Sets a value at a path; missing parents are created, an element after the last is appended. Throws Error
 /// with the path if the file has something else on the way.
 void setAt(nlohmann::json &place, std::span<const FieldStep> steps, const nlohmann::json &value,

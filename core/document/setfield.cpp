@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/setfield.h"
 
+#include "document/copyfields.h"
 #include "document/fieldpath.h"
 #include "document/fields.h"
 #include "document/fileunit.h"
@@ -10,7 +11,9 @@
 #include "document/instruments.h"
 #include "document/json.h"
 #include "document/readdocument.h"
+#include "kernel/evaluation/edition.h"
 #include "kernel/measurement/testfacts.h"
+#include "kernel/words/characters.h"
 
 #include <nlohmann/json.hpp>
 
@@ -124,24 +127,22 @@ Motion motionAt(const Document &document, Steps steps) {
                : Motion::linear;
 }
 
-/// Returns the numbers that a path sets, one per test for a path of every test; empty if it sets none.
-std::vector<NumberPlace> numbersAt(const Document &document, Steps steps, bool ofFile) {
-    std::vector<NumberPlace> result;
-    const auto add = [&](const std::optional<FileUnit> &unit, Motion motion) {
-        if (unit)
-            result.push_back({*unit, motion});
-    };
-    const std::vector<TestPointer> &tests = document.tests;
-    if (!ofFile) {
-        for (const TestPointer &test : tests)
-            add(NumberFinder::at(*test, steps, nothing), motionOf(*test));
-    } else if (steps.front().key != "tests") {
-        add(NumberFinder::at(document, steps, nothing), motionAt(document, steps));
-    } else if (steps.size() > 2 && steps[1].index && *steps[1].index < tests.size()) {
-        const Test &test = *tests[*steps[1].index];
-        add(NumberFinder::at(test, steps.subspan(2), nothing), motionOf(test));
+using OptionalPlace = std::optional<NumberPlace>;
+
+/// Returns the number that a path of a test sets; null if it sets none.
+OptionalPlace numberOf(const Test &test, Steps steps) {
+    const std::optional<FileUnit> unit = NumberFinder::at(test, steps, nothing);
+    return unit ? OptionalPlace({*unit, motionOf(test)}) : std::nullopt;
+}
+
+/// The same for a path of the file.
+OptionalPlace numberOf(const Document &document, Steps steps) {
+    if (steps.front().key == "tests") {
+        const bool isOfTest = steps.size() > 2 && steps[1].index && *steps[1].index < document.tests.size();
+        return isOfTest ? numberOf(*document.tests[*steps[1].index], steps.subspan(2)) : std::nullopt;
     }
-    return result;
+    const std::optional<FileUnit> unit = NumberFinder::at(document, steps, nothing);
+    return unit ? OptionalPlace({*unit, motionAt(document, steps)}) : std::nullopt;
 }
 
 /// A value that begins as a number: "20", "2,5 mm".
@@ -181,26 +182,116 @@ std::optional<TypedNumber> typedNumber(std::string_view value) {
                  {}});
 }
 
+[[noreturn]] void refuseGrouped(const std::string &path, std::string_view value) {
+    throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2: the comma may stand before "
+                                                             "thousands or before decimals; write it "
+                                                             "without"),
+                                       {path, std::string(value)}});
+}
+
 /// Returns "20 um" or "2 m/min" in the unit of the file; null if the value is to be read as it is. Throws
 /// Error for a number without the unit it needs, or with one that does not fit.
-std::optional<double> inUnitOfFile(const Document &document, Steps steps, bool ofFile,
+std::optional<double> inUnitOfFile(const OptionalPlace &place, const std::string &path,
                                    std::string_view value) {
     const std::optional<TypedNumber> typed = typedNumber(value);
-    if (!typed)
+    if (!place || !typed || place->unit == FileUnit::none)
         return {};
-    std::optional<double> result;
-    for (const NumberPlace &place : numbersAt(document, steps, ofFile)) {
-        if (place.unit == FileUnit::none || (typed->unit.empty() && !place.isShownFinely()))
-            continue;
-        if (typed->unit.empty() && typed->number == 0) {
-            result = 0;
-            continue;
+    if (mayBeGrouped(typed->digits))
+        refuseGrouped(path, value);
+    if (typed->unit.empty() && !place->isShownFinely())
+        return {};
+    if (typed->unit.empty() && typed->number == 0)
+        return 0;
+    const std::optional<double> result = inFileUnit(typed->number, typed->unit, place->unit, place->motion);
+    if (!result)
+        refuseUnit(value, *typed, *place);
+    return std::isfinite(*result) ? result : std::nullopt;
+}
+
+/// The values that a text may mean in a document or test, numbers in the unit of the file.
+template <class Root>
+class Meanings {
+public:
+    Meanings(const Root &root, const std::string &path)
+        : m_root(root)
+        , m_path(path) {}
+
+    [[nodiscard]] std::vector<json> of(const std::vector<FieldStep> &steps, std::string_view value) const {
+        if (const auto number = inUnitOfFile(numberOf(m_root, steps), m_path, value))
+            return {*number};
+        std::vector<json> result = meaningsOf(value);
+        if (mayBeGrouped(value)) // "100,000" is a text, or nothing
+            result.erase(result.begin(), result.end() - 1);
+        for (json &meaning : result) {
+            if (meaning.is_structured())
+                convert(meaning, steps);
         }
-        result = inFileUnit(typed->number, typed->unit, place.unit, place.motion);
-        if (!result)
-            refuseUnit(value, *typed, place);
+        return result;
     }
-    return result && std::isfinite(*result) ? result : std::nullopt;
+
+private:
+    /// The rule of a single value holds at each end of an object or list.
+    void convert(json &value, std::vector<FieldStep> steps) const {
+        if (value.is_structured()) {
+            std::size_t index = 0;
+            for (const auto &[key, member] : value.items()) {
+                steps.push_back(value.is_array() ? FieldStep{{}, index++} : FieldStep{key});
+                convert(member, steps);
+                steps.pop_back();
+            }
+        } else if (value.is_number() || value.is_string()) {
+            const auto *const text = value.get_ptr<const std::string *>();
+            if (const auto number =
+                    inUnitOfFile(numberOf(m_root, steps), m_path, text ? *text : value.dump()))
+                value = *number;
+        }
+    }
+
+    const Root &m_root;
+    const std::string &m_path;
+};
+
+/// True if the field is one of that test: a limit not where its parameter is one of another kind.
+bool hasField(const Test &test, Steps steps) {
+    FieldKeys keys;
+    fields(keys, test);
+    const auto known = keys.take();
+    if (std::ranges::find(known, steps.front().key) == known.end())
+        return false;
+    const auto knows = [&](Kind kind) { return isParameter(kind, steps[1].key); };
+    return steps.front().key != "limits" || steps.size() < 2 || knows(kindOf(test)) ||
+           std::ranges::none_of(allKinds, knows);
+}
+
+/// A value for a place in the file.
+struct PlacedMeanings {
+    std::string place; ///< "", "tests[0]."
+    std::vector<json> meanings;
+};
+
+/// Returns what a path without a test sets in each test that it fits: the field is one of the kind, the unit
+/// one of the motion. Throws Error if it fits none.
+std::vector<PlacedMeanings> meaningsForTests(const Document &document, const std::vector<FieldStep> &steps,
+                                             const std::string &path, std::string_view value) {
+    std::vector<PlacedMeanings> result;
+    std::optional<Error> refused;
+    for (std::size_t i = 0; i < document.tests.size(); ++i) {
+        const Test &test = *document.tests[i];
+        if (!hasField(test, steps))
+            continue;
+        try {
+            result.push_back({"tests[" + std::to_string(i) + "].", Meanings(test, path).of(steps, value)});
+        } catch (const Error &error) {
+            if (!refused)
+                refused = error;
+        }
+    }
+    if (result.empty() && refused)
+        throw Error(*refused);
+    if (result.empty())
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "no test of the file has the field “%1”"), {path}});
+    return result;
 }
 
 /// Throws Error for the first impossible value of `changed` that `before` does not have.
@@ -246,17 +337,21 @@ Document withField(const Document &document, std::string_view path, std::string_
         migrations.at(version - 1)(file);
     file["version"] = fileVersion; // has all keys
     const std::vector<FieldStep> steps = stepsOf(path);
+    const std::string name(path);
     const bool ofFile = file.contains(steps.front().key);
-    const std::optional<double> converted = inUnitOfFile(document, steps, ofFile, value);
+    if (steps.front().key == "tests" && steps.size() < 3) // its numbers would be taken without their units
+        refusePath(path);
+    const std::vector<PlacedMeanings> placed =
+        ofFile ? std::vector<PlacedMeanings>{{"", Meanings(document, name).of(steps, value)}}
+               : meaningsForTests(document, steps, name, value);
+    std::size_t most = 0;
+    for (const PlacedMeanings &one : placed)
+        most = std::max(most, one.meanings.size());
     std::optional<Error> refused;
-    for (const json &meaning : converted ? std::vector<json>{*converted} : meaningsOf(value)) {
+    for (std::size_t i = 0; i < most; ++i) {
         json changed = file;
-        if (ofFile) {
-            setAt(changed, steps, meaning, path);
-        } else {
-            for (json &test : changed["tests"])
-                setAt(test, steps, meaning, path);
-        }
+        for (const auto &[place, meanings] : placed)
+            setAt(changed, stepsOf(place + name), meanings[std::min(i, meanings.size() - 1)], path);
         try {
             Document result = readDocument(QByteArray::fromStdString(compactJson(changed)));
             requirePossible(document, result);
@@ -266,7 +361,24 @@ Document withField(const Document &document, std::string_view path, std::string_
                 refused = error;
         }
     }
+    if (mayBeGrouped(value))
+        refuseGrouped(name, value);
     throw Error(*refused);
+}
+
+bool mayBeGrouped(std::string_view number) {
+    number.remove_prefix(number.starts_with('+') || number.starts_with('-') ? 1 : 0);
+    constexpr std::size_t group = 3;
+    const std::size_t head = number.find(',');
+    if (head == std::string_view::npos || head == 0 || head > group || number.front() == '0' ||
+        (number.size() - head) % (group + 1) != 0)
+        return false;
+    for (std::size_t i = 0; i < number.size(); ++i) {
+        const bool isMark = i >= head && (i - head) % (group + 1) == 0;
+        if (isMark ? number[i] != ',' : !isDigit(number[i]))
+            return false;
+    }
+    return true;
 }
 
 } // namespace palmer

@@ -155,6 +155,11 @@ private slots:
         row("tests[1].limits.G.value", "8", false, {"8", "8um", "8mm"});
         row("instruments[0].resolution", "1", false, {"1", "1um", "1mm"});
         row("tests[0].excluded[0].value", "3", false, {"3", "3um", "3mm"});
+        row("tests[0].limits", R"({"A": {"value": 20}})", false, {"20", "20um", "20mm"});
+        row("tests[0].limits.A", R"({"value": "5 um"})", true, {"5 um", "5arcsec", "5deg"});
+        row("limits", R"({"A": {"value": 0.015}})", false, {"0.015", "0.015um", "0.015mm"});
+        row("instruments", R"([{"id": "laser", "resolution": 0.1}])", false, {"0.1", "0.1um", "0.1mm"});
+        row("tests[0].runs[0].deviations", "[0.5, 0]", false, {"0.5", "0.5um", "0.5mm"});
     }
     void aBareLengthIsAskedForItsUnit() {
         QFETCH(const QString, value);
@@ -209,6 +214,9 @@ private slots:
         row("tests[1].nominalRadius", "0.15 m", "150");
         row("tests[1].uncertainty.displacement.expanded", "700 nm", "0.7");
         row("axis.travel", "600 mm", "600");
+        row("tests[0].conditions.toolOffset", R"(["1 cm", 2, null])", "[10, 2, null]");
+        row("tests[0].limits", R"({"A": {"value": "7,5 um"}, "R": {"value": 0}})",
+            R"({"A": {"value": "0.0075 mm"}, "R": {"value": "0 um"}})");
     }
     void anyNumberMayHaveItsUnit() {
         QFETCH(const QString, value);
@@ -269,6 +277,7 @@ private slots:
         row("tests[0].uncertainty.environmentalVariation", "3 arcsec", "um");
         row("tests[0].uncertainty.device.perMetre", "1.5 mm", "um/m");
         row("tests[0].duration", "2 mm", "min");
+        row("tests[0].conditions.sensors", R"([{"start": "20 mm"}])", "°C");
     }
     void aUnitThatDoesNotFitIsRefused() {
         QFETCH(const QString, value);
@@ -279,9 +288,59 @@ private slots:
             QFAIL("taken");
         } catch (const Error &error) {
             QCOMPARE(error.message.text.source, "the unit of “%1” does not fit here; expected %2");
+            const QString typed = value.startsWith('[') ? "20 mm" : value;
             QCOMPARE(error.message.arguments,
-                     (std::vector<Argument>{value.toStdString(), expected.toStdString()}));
+                     (std::vector<Argument>{typed.toStdString(), expected.toStdString()}));
         }
+    }
+
+    /// "1,000" may be a thousand or one; "0,125" is clear.
+    void aCommaBeforeThousandsIsRefused_data() {
+        QTest::addColumn<QString>("value");
+        for (const auto &[path, value] :
+             {std::pair("tests[0].limits.A.value", "1,000um"), std::pair("tests[0].axis.travel", "1,500"),
+              std::pair("tests[0].uncertainty.trials", "100,000"), std::pair("tests[1].feed", "-1,000,000"),
+              std::pair("tests[0].limits", R"({"A": {"value": "2,000 um"}})")})
+            QTest::addRow("%s=%s", path, value) << QString(value);
+    }
+    void aCommaBeforeThousandsIsRefused() {
+        QFETCH(const QString, value);
+        const std::string path = QString(QTest::currentDataTag()).section('=', 0, 0).toStdString();
+        try {
+            (void)withField(ofEachKind(), path, value.toStdString());
+            QFAIL("taken");
+        } catch (const Error &error) {
+            QVERIFY(QByteArray(error.message.text.source).contains("before thousands or before decimals"));
+        }
+    }
+    void otherCommasAreClear() {
+        for (const char *number :
+             {"0,125", "1,5", "1,0000", "1000,5", ",500", "1,000.5", "1,00a", "01,000", "1,"})
+            QVERIFY2(!mayBeGrouped(number), number);
+        QCOMPARE(withField(ofEachKind(), "tests[0].title", "1,000").tests[0]->title, std::string("1,000"));
+    }
+
+    /// A field without its test is set where it fits: of the kind, in a unit of the motion.
+    void aFieldOfEveryTestIsSetWhereItFits() {
+        Document document = ofEachKind();
+        Test rotary = *document.tests[0];
+        rotary.id = "rotary";
+        std::get<PositioningMeasurement>(rotary.measurement).axis.motion = Motion::rotary;
+        document.tests.push_back(std::make_shared<const Test>(std::move(rotary)));
+        Test drift;
+        drift.id = "drift";
+        drift.measurement = DriftMeasurement();
+        document.tests.push_back(std::make_shared<const Test>(std::move(drift)));
+        document = withField(document, "limits.A.value", "15 um");
+        document = withField(document, "limits.G.value", "9 um");
+        QCOMPARE(document.tests[0]->limits.at("A").value.value(), 0.015);
+        QVERIFY(document.tests[2]->limits.empty() && document.tests[3]->limits.empty());
+        QCOMPARE(document.tests[1]->limits.size(), std::size_t(1));
+        document = withField(document, "limits", R"({"A": {"value": "2 arcsec"}})");
+        QCOMPARE(document.tests[0]->limits.at("A").value.value(), 0.015);
+        QCOMPARE(document.tests[2]->limits.at("A").value.value(), 2.0 / 3600);
+        document.tests = {document.tests[3]};
+        QVERIFY_THROWS_EXCEPTION(Error, (void)withField(document, "limits.A.value", "15 um"));
     }
 
     void aTextWithAUnitStaysAText() {
@@ -353,6 +412,7 @@ private slots:
         QVERIFY(throws("tests[0].nominalRadius", "100")); // of a circle alone
         QVERIFY(throws("machine.name.first", "a"));
         QVERIFY(throws("report.paper", "A5"));
+        QVERIFY(throws("tests[2]", R"({"kind": "drift", "id": "d", "times": [0], "deviations": [1]})"));
     }
 
     void aChannelOfADriftTestHasItsOwnUnit() {
