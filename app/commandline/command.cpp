@@ -52,6 +52,8 @@ void addOption(Invocation &invocation, const Option &option, std::optional<QStri
     if (given)
         requireWord(option, *given);
     values << given.value_or(QString());
+    if (option.fileRead)
+        invocation.filesOfOptions << option.fileRead(values.back());
 }
 
 /// True if the call contains something the option has an effect with.
@@ -231,7 +233,7 @@ bool needsDrawing(const QStringList &words) {
 }
 
 Invocation parseArguments(const Command &command, const QStringList &words, Language language) {
-    Invocation result{std::move(language), false, {}, {}};
+    Invocation result{std::move(language), false, {}, {}, {}};
     bool onlyFiles = false;
     for (qsizetype next = 0; next < words.size();) {
         const QString &word = words[next++];

@@ -40,7 +40,14 @@ struct Option {
     /// an option with its value ("as=csv|as=siemens"). Empty: no condition.
     const char *goesWith = "";
     bool mayBeEmpty = false; ///< "" is allowed and means none
+    /// The file to read that a value names; null: it names none.
+    QString (*fileRead)(const QString &value) = nullptr;
 };
+
+/// For Option::fileRead: the value is the file.
+[[nodiscard]] inline QString itself(const QString &value) {
+    return value;
+}
 
 /// Returns options and lists of options as one list.
 template <class... Parts>
@@ -71,6 +78,7 @@ struct Invocation {
     bool languageChosen = false;            ///< by --language; otherwise from the locale
     std::map<QString, QStringList> options; ///< values in order; one empty value for a switch
     QStringList arguments;
+    QStringList filesOfOptions; ///< to read
 
     [[nodiscard]] bool has(const char *option) const;
     /// The first value of an option; null without it.

@@ -223,7 +223,7 @@ std::vector<HelpRow> exitRows(const Language &language, const Command *command) 
                         language.text(REPORT_TEXT(
                             "report", "a verdict other than “conforms” (the report is written all the "
                                       "same), an unmet requirement (check), a difference (verify, "
-                                      "compare, selftest)"))});
+                                      "compare, selftest), nothing judged or proven (compare)"))});
     rows.push_back({QStringLiteral("2"), language.text(REPORT_TEXT("report", "wrong usage"))});
     rows.push_back({QStringLiteral("3"),
                     language.text(REPORT_TEXT("report", "a file cannot be read, written or understood"))});

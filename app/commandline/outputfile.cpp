@@ -38,11 +38,6 @@ QString systemName(const QString &file, const char *standard) {
     return file == QLatin1StringView("-") ? QLatin1StringView(standard) : file;
 }
 
-bool isStandardOutput(const QString &file) {
-    return file == QLatin1StringView("-") || file == QLatin1StringView("/dev/stdout") ||
-           isSameFile(file, QStringLiteral("/dev/stdout"));
-}
-
 [[noreturn]] void refuseToOverwrite(const QString &file) {
     throw UsageError(
         {REPORT_TEXT("report",
@@ -50,7 +45,20 @@ bool isStandardOutput(const QString &file) {
          {file.toStdString()}});
 }
 
+/// Throws UsageError if a file to write is one of those to read.
+void requireOther(const QString &file, const QStringList &inputs) {
+    for (const QString &input : inputs) {
+        if (isSameFile(systemName(file, "/dev/stdout"), systemName(input, "/dev/stdin")))
+            refuseToOverwrite(file);
+    }
+}
+
 } // namespace
+
+bool isStandardOutput(const QString &file) {
+    return file == QLatin1StringView("-") || file == QLatin1StringView("/dev/stdout") ||
+           isSameFile(file, QStringLiteral("/dev/stdout"));
+}
 
 void refuseWithoutOutput(const char *command, const std::string &form) {
     throw UsageError(
@@ -66,13 +74,7 @@ QString neededOutput(const Invocation &invocation, const char *command, const st
 
 void requireOutput(const Invocation &invocation, const QString &file,
                    std::initializer_list<const char *> endings) {
-    QStringList inputs = invocation.arguments;
-    if (const auto compared = invocation.value("compare"))
-        inputs.append(*compared);
-    for (const QString &input : inputs) {
-        if (isSameFile(systemName(file, "/dev/stdout"), systemName(input, "/dev/stdin")))
-            refuseToOverwrite(file);
-    }
+    requireOther(file, invocation.arguments + invocation.filesOfOptions);
     const QString ending = QFileInfo(file).suffix().toLower();
     const bool isOwn =
         std::ranges::any_of(endings, [&](const char *own) { return ending == QLatin1StringView(own); });
@@ -184,11 +186,11 @@ QStringList outputsInFolder(const Invocation &invocation, const QString &output,
                  {other->second.toStdString(), input.shown.toStdString(), file.toStdString()}});
         result << file;
     }
-    for (const QString &file : result) {
-        if (std::ranges::any_of(inputs.list,
-                                [&](const Input &input) { return isSameFile(file, input.file); }))
-            refuseToOverwrite(file);
-    }
+    QStringList read = invocation.filesOfOptions;
+    for (const Input &input : inputs.list)
+        read << input.file;
+    for (const QString &file : result)
+        requireOther(file, read);
     return result;
 }
 

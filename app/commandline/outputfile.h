@@ -17,6 +17,8 @@ namespace palmer {
 constexpr Option forceOption{
     "force", "", REPORT_TEXT("report", "write even to a name with the ending of another kind of file")};
 
+[[nodiscard]] bool isStandardOutput(const QString &file);
+
 /// Throws UsageError: the command needs a file to write ("-o OUT.palmer").
 [[noreturn]] void refuseWithoutOutput(const char *command, const std::string &form);
 /// Value of -o. Throws UsageError without it.

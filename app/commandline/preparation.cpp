@@ -10,52 +10,93 @@
 #include "document/setfield.h"
 #include "document/templatefile.h"
 #include "import/choices.h"
-#include "import/importmeasurement.h"
 #include "kernel/evaluation/edition.h"
+#include "register/machineidentity.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <set>
 
 namespace palmer {
 
 namespace {
 
+/// What a template does to a file.
+struct Applied {
+    bool hasEffect = true;
+    std::vector<Message> said;
+};
+
+bool areStatedDifferently(const std::string &a, const std::string &b) {
+    return !a.empty() && !b.empty() &&
+           comparable(QString::fromStdString(a)) != comparable(QString::fromStdString(b));
+}
+
+/// Throws Error where a template is of another thing than the file, by their serial numbers; where one is not
+/// stated, says which names are replaced.
+template <class Thing>
+Applied replaced(Text refusal, const Thing &own, const Thing &other,
+                 std::initializer_list<std::string Thing::*> names) {
+    if (areStatedDifferently(own.serialNumber, other.serialNumber))
+        throw Error(Error::Kind::content, {refusal, {other.serialNumber, own.serialNumber}});
+    Applied result;
+    for (const auto name : names) {
+        if ((own.serialNumber.empty() || other.serialNumber.empty()) &&
+            areStatedDifferently(own.*name, other.*name))
+            result.said.push_back(
+                {REPORT_TEXT("report", "the template replaces “%1” by “%2”"), {own.*name, other.*name}});
+    }
+    return result;
+}
+
 /// Replaces the instrument with the same id; tests without instrument refer to the new one.
-void apply(Document &document, const Instrument &instrument) {
+Applied apply(Document &document, const Instrument &instrument) {
+    Applied result;
     const auto same = std::ranges::find(document.instruments, instrument.id, &Instrument::id);
-    if (same != document.instruments.end() && !instrument.id.empty())
+    if (same != document.instruments.end() && !instrument.id.empty()) {
+        result = replaced(REPORT_TEXT("report", "the template is of the instrument with the serial number "
+                                                "%1, the file has the one with %2"),
+                          *same, instrument, {&Instrument::description});
         *same = instrument;
-    else
+    } else {
         addInstrument(document, instrument);
+    }
     const std::string id = instrument.id.empty() ? document.instruments.back().id : instrument.id;
     for (std::size_t i = 0; i < document.tests.size(); ++i) {
         if (document.tests[i]->instruments.empty())
             editTest(document, i, [&](Test &test) { test.instruments = {id}; });
     }
+    return result;
 }
 
-void apply(Document &document, const Machine &machine) {
-    const std::string &own = document.machine.serialNumber;
-    if (!own.empty() && !machine.serialNumber.empty() && areOtherMachines(document.machine, machine))
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report",
-                                 "the template is of the machine with the serial number %1, the file of the "
-                                 "one with %2"),
-                     {machine.serialNumber, own}});
+Applied apply(Document &document, const Machine &machine) {
+    Applied result = replaced(REPORT_TEXT("report", "the template is of the machine with the serial number "
+                                                    "%1, the file of the one with %2"),
+                              document.machine, machine, {&Machine::manufacturer, &Machine::name});
     document.machine = machine;
+    return result;
 }
 
-void apply(Document &document, const Laboratory &laboratory) {
+Applied apply(Document &document, const Laboratory &laboratory) {
     document.report.laboratory = laboratory;
+    return {};
 }
 
-void apply(Document &document, const LimitSet &limits) {
+/// For what `put` puts into each test that it fits.
+template <class Content>
+Applied applied(Document &document, const Content &content, bool (*put)(Test &, const Content &)) {
+    Applied result{false, {}};
     for (std::size_t i = 0; i < document.tests.size(); ++i)
-        editTest(document, i, [&](Test &test) { applyLimitSet(test, limits); });
+        editTest(document, i, [&](Test &test) { result.hasEffect = put(test, content) || result.hasEffect; });
+    return result;
 }
 
-void apply(Document &document, const Declarations &declarations) {
-    for (std::size_t i = 0; i < document.tests.size(); ++i)
-        editTest(document, i, [&](Test &test) { applyDeclarations(test, declarations); });
+Applied apply(Document &document, const LimitSet &limits) {
+    return applied(document, limits, applyLimitSet);
+}
+
+Applied apply(Document &document, const Declarations &declarations) {
+    return applied(document, declarations, applyDeclarations);
 }
 
 /// Throws Error with the place in the template, because messages begin with the name of the processed file.
@@ -79,11 +120,15 @@ std::vector<std::string> editionsOf(const QString &words) {
 
 std::vector<FieldSetting> fieldSettings(const Invocation &invocation) {
     std::vector<FieldSetting> result;
+    std::set<QString> keys;
     for (const QString &setting : invocation.values("set")) {
         const qsizetype mark = setting.indexOf(u'=');
         if (mark < 1)
             throw UsageError(
                 {REPORT_TEXT("report", "“%1” is no choice; expected key=value"), {setting.toStdString()}});
+        if (!keys.insert(setting.left(mark)).second)
+            throw UsageError({REPORT_TEXT("report", "the option %1 stands twice; it takes one value"),
+                              {"--set " + setting.left(mark).toStdString()}});
         if (!findImportKey(setting.left(mark).toStdString()))
             result.push_back({setting.left(mark), setting.mid(mark + 1)});
     }
@@ -102,9 +147,22 @@ bool canReadTemplates(const Invocation &invocation) {
     });
 }
 
-Document prepared(Document document, const Invocation &invocation) {
-    for (const QString &file : invocation.values("template"))
-        std::visit([&](const auto &content) { apply(document, content); }, templateFrom(file).content);
+Document prepared(Document document, const QString &file, const Invocation &invocation) {
+    for (const QString &name : invocation.values("template")) {
+        Applied done = std::visit([&](const auto &content) { return apply(document, content); },
+                                  templateFrom(name).content);
+        if (!done.hasEffect) {
+            const Message none{REPORT_TEXT("report", "--template %1 has no effect here: it fits no test of "
+                                                     "the file; limits are of one kind of test, and of "
+                                                     "linear or of rotary axes"),
+                               {name.toStdString()}};
+            if (isOneFile(invocation))
+                throw UsageError(none);
+            done.said.push_back(none);
+        }
+        for (const Message &said : done.said)
+            printError(file + QStringLiteral(": ") + invocation.language.sentence(said));
+    }
     if (const auto words = invocation.value("editions"))
         document.report.editions = editionsOf(*words);
     if (isOneFile(invocation) && invocation.has("editions")) {

@@ -16,13 +16,14 @@ inline constexpr std::array preparationOptions{
         REPORT_TEXT("report",
                     "take machine, instrument, laboratory, limits or conditions from a template; may stand "
                     "several times"),
-        true},
+        true, "", false, itself},
     Option{"editions", "A,B", REPORT_TEXT("report", "editions to print side by side, without verdicts")},
 };
 
-/// Applies --template, --editions and the paths of --set to the document. Throws UsageError for invalid
-/// values, Error for an unreadable template.
-[[nodiscard]] Document prepared(Document document, const Invocation &invocation);
+/// Applies --template, --editions and the paths of --set to the document; prints what a template replaces.
+/// Throws UsageError for invalid values and for templates that fit no test of a single file, Error for an
+/// unreadable template and one of another machine or instrument.
+[[nodiscard]] Document prepared(Document document, const QString &file, const Invocation &invocation);
 
 /// True if the files of --template can be read; otherwise prints one error line, however many files are to be
 /// prepared.

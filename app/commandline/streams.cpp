@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commandline/streams.h"
 
+#include "commandline/optionvalues.h"
 #include "commandline/preparation.h"
 #include "document/place.h"
 #include "document/readdocument.h"
@@ -186,6 +187,10 @@ void printDefaults(const QString &file, const std::vector<ImportChoice> &choices
 
 } // namespace
 
+QString profilesFile(const QString & /*name*/) {
+    return importProfilesPath();
+}
+
 ImportOptions chosenOptions(const Invocation &invocation) {
     ImportOptions chosen;
     if (const auto profile = invocation.value("profile")) {
@@ -208,7 +213,10 @@ ImportOptions chosenOptions(const Invocation &invocation) {
             throw UsageError(
                 {REPORT_TEXT("report", "“%1” is no choice; expected key=value"), {setting.toStdString()}});
         const std::string key = setting.left(mark).toStdString();
-        if (findImportKey(key) || !beginsAsField(key)) // otherwise it is a path of the test file
+        const ImportKey *known = findImportKey(key);
+        if (known && known->value == ImportValue::number)
+            requireClearComma("--set " + key, setting.mid(mark + 1));
+        if (known || !beginsAsField(key)) // otherwise it is a path of the test file
             chosen[setting.left(mark).toStdString()] = setting.mid(mark + 1).toStdString();
     }
     try {
@@ -327,9 +335,9 @@ Document documentFrom(const QString &file, const Invocation &invocation, Say say
     if (isReport || isTestFile(bytes, file))
         requireNoChoice(invocation);
     if (isReport)
-        return prepared(readDocument(readReportPdf(bytes).testFile), invocation);
+        return prepared(readDocument(readReportPdf(bytes).testFile), file, invocation);
     if (isTestFile(bytes, file))
-        return prepared(withTests(readDocument(bytes)), invocation);
+        return prepared(withTests(readDocument(bytes)), file, invocation);
     Imported imported = say == Say::remarks ? importedFrom(bytes, file, chosenOptions(invocation), invocation)
                                             : importMeasurement(bytes, file, chosenOptions(invocation));
     requireAnswers(imported, invocation);
@@ -337,7 +345,7 @@ Document documentFrom(const QString &file, const Invocation &invocation, Say say
         refuseChoice(without.front());
     Document document;
     addImported(document, std::move(imported), bytes, file, false);
-    return prepared(std::move(document), invocation);
+    return prepared(std::move(document), file, invocation);
 }
 
 } // namespace palmer

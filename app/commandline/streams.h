@@ -61,9 +61,13 @@ void printRemarks(const QString &file, const std::vector<Remark> &remarks, const
 /// The bytes of a file; "-" is standard input. Throws Error.
 [[nodiscard]] QByteArray bytesFrom(const QString &file);
 
+/// For Option::fileRead: the file of all profiles.
+[[nodiscard]] QString profilesFile(const QString &name);
+
 /// Options of commands that read measurement files: answers to questions about these.
 inline constexpr std::array foreignOptions{
-    Option{"profile", "NAME", REPORT_TEXT("report", "the choices kept under this name")},
+    Option{"profile", "NAME", REPORT_TEXT("report", "the choices kept under this name"), false, "", false,
+           profilesFile},
     Option{"set", "key=value",
            REPORT_TEXT("report", "a choice of the import (unit=um, decimalMark=comma, axis=X, "
                                  "columns=target,run+,run-, …), or a field of the test file by its path "

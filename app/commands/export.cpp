@@ -65,7 +65,7 @@ constexpr auto exportOptions = optionList(
            "as=siemens"},
     Option{"compare", "FILE",
            REPORT_TEXT("report", "a compensation table of a control, to compare with the one written"), false,
-           tables},
+           tables, false, itself},
     foreignOptions, forceOption);
 
 std::optional<CompensationFormat> compensationFormat(const QString &word) {
@@ -288,7 +288,8 @@ int runExport(const Invocation &invocation) {
             written.motion = made.motion; // not stated in the files of some controls
             printWhatItBrings(
                 {*evaluated.document->tests[index], *evaluated.tests[index], *evaluated.document}, written,
-                compensationRemarks(made, *compensation, table), compared, invocation.language);
+                compensationRemarks(*evaluated.document->tests[index], made, *compensation, table), compared,
+                invocation.language);
         }
         return done;
     });

@@ -117,7 +117,7 @@ int runImport(const Invocation &invocation) {
             return answer(cannotRead);
     }
     return answer(codeOf(output, invocation.language, [&]() -> int {
-        writeOutput(bytesToSave(prepared(std::move(document), invocation)), output);
+        writeOutput(bytesToSave(prepared(std::move(document), output, invocation)), output);
         return done;
     }));
 }

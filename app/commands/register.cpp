@@ -20,6 +20,7 @@
 #include "report/blocks/plaintext.h"
 
 #include <QDate>
+#include <QDir>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -31,7 +32,7 @@ namespace {
 
 // clang-format off
 constexpr std::array registerOptions{
-    Option{"register", "PATH|postgresql://…", REPORT_TEXT("report", "the register; without it that of the user")},
+    Option{"register", "PATH|postgresql://…", REPORT_TEXT("report", "the register; without it that of the user"), false, "", false, itself},
     Option{"machine", "WORDS", REPORT_TEXT("report", "list, trend, report: name or serial number of the machine, its number in the list, or what names, maker, type or place contain")},
     Option{"axis", "X|XY", REPORT_TEXT("report", "list, trend, type: the axis, or the plane of circles")},
     Option{"kind", wordsToChoose<Kind>.data(), REPORT_TEXT("report", "list: the kind of test")},
@@ -375,7 +376,13 @@ int runRegister(const Invocation &invocation) {
 } // namespace
 
 QString registerAddress(const Invocation &invocation) {
-    return invocation.value("register").value_or(Register::standardPath());
+    const auto given = invocation.value("register");
+    if (!given && QDir::homePath() == QDir::rootPath() && !qEnvironmentVariableIsSet("XDG_DATA_HOME"))
+        throw UsageError(
+            {REPORT_TEXT("report", "the user has no folder of their own (HOME): say with %1 where "
+                                   "the register is"),
+             {std::string("--register PATH")}});
+    return given.value_or(Register::standardPath());
 }
 
 Command registerCommand() {

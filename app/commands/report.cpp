@@ -102,6 +102,7 @@ public:
                               {std::string("edition"), std::string(dccOption)}});
         if (m_inputs.several) {
             m_outputs = outputsInFolder(invocation, output, m_inputs, QStringLiteral(".pdf"));
+            requireOwnNames();
             const QFileInfo folder(output);
             if (!folder.isDir() && (folder.exists() || folder.suffix().toLower() == QLatin1StringView("pdf")))
                 throw UsageError(
@@ -127,6 +128,36 @@ public:
     }
 
 private:
+    /// Languages of the reports of an input; none where it cannot be read, as then nothing is written.
+    [[nodiscard]] QStringList languagesOfInput(qsizetype index) const {
+        try {
+            const QString &file = m_inputs.list[static_cast<std::size_t>(index)].file;
+            return languagesOf(m_invocation, documentFrom(file, m_invocation, Say::nothing));
+        } catch (const Error &) {
+            return {};
+        } catch (const UsageError &) {
+            return {};
+        }
+    }
+
+    /// Throws UsageError if the report of one input in one of two languages has the name of another's.
+    void requireOwnNames() const {
+        for (qsizetype i = 0; i < m_outputs.size(); ++i) {
+            for (const QString &name : {QStringLiteral("fr"), QStringLiteral("en")}) {
+                const QString file = withLanguage(m_outputs[i], name);
+                const qsizetype other = m_outputs.indexOf(file);
+                const QStringList own = other < 0 ? QStringList() : languagesOfInput(i);
+                if (own.size() > 1 && own.contains(name) && languagesOfInput(other).size() == 1)
+                    throw UsageError(
+                        {REPORT_TEXT("report",
+                                     "%1 and %2 would both be written as %3; call the command for each"),
+                         {m_inputs.list[static_cast<std::size_t>(other)].shown.toStdString(),
+                          m_inputs.list[static_cast<std::size_t>(i)].shown.toStdString(),
+                          file.toStdString()}});
+            }
+        }
+    }
+
     /// Warns before the time is spent.
     void warnOfLength(const Document &document) const {
         const auto &include = document.report.include;

@@ -4,7 +4,9 @@
 
 #include "document/documenterror.h"
 #include "kernel/evaluation/resultsof.h"
+#include "kernel/measurement/testfacts.h"
 #include "kernel/numerics/angles.h"
+#include "kernel/words/characters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -295,9 +297,43 @@ bool measuredBothWays(const TestEvaluation &evaluation) {
     return results && results->upward && results->downward;
 }
 
-std::vector<Message> compensationRemarks(const CompensationTable &table, CompensationFormat format,
-                                         const CompensationOptions &options) {
+namespace {
+
+/// Under what the test was made, as far as its table and the prediction hold only so.
+std::vector<Message> conditionRemarks(const Conditions &conditions, Motion motion) {
     std::vector<Message> remarks;
+    if (!isBlank(conditions.compensation))
+        remarks.push_back(
+            {REPORT_TEXT("report", "Compensation in the test: “%1”. Table and prediction hold on top of "
+                                   "what was active then: add the two, do not replace it."),
+             {conditions.compensation}});
+    const bool isCorrected = conditions.correctionTo20 == CorrectionTo20::appliedByInstrument ||
+                             conditions.correctionTo20 == CorrectionTo20::appliedHere;
+    if (motion != Motion::linear || isCorrected)
+        return remarks;
+    constexpr double reference = 20; // °C
+    constexpr double same = 0.05;
+    const auto machine = meanTemperature(conditions, SensorMeasures::machine);
+    if (machine && std::abs(*machine - reference) > same)
+        remarks.push_back(
+            {REPORT_TEXT("report", "The readings are not stated to be corrected to 20 °C: table "
+                                   "and prediction hold for the machine at %1, expansion "
+                                   "included."),
+             {Number{*machine, Quantity::temperature}}});
+    else if (!machine)
+        remarks.push_back(
+            {REPORT_TEXT("report", "The readings are not stated to be corrected to 20 °C: table "
+                                   "and prediction hold for the temperature of the test.")});
+    return remarks;
+}
+
+} // namespace
+
+std::vector<Message> compensationRemarks(const Test &test, const CompensationTable &table,
+                                         CompensationFormat format, const CompensationOptions &options) {
+    const Conditions *conditions = conditionsOf(test);
+    std::vector<Message> remarks =
+        conditions ? conditionRemarks(*conditions, table.motion) : std::vector<Message>();
     const Quantity position = table.motion == Motion::linear ? Quantity::position : Quantity::angle;
     constexpr double same = 1e-6;
     const auto outside = [&](double at) {

@@ -64,9 +64,9 @@ inline constexpr std::size_t mostLinuxcncPoints = 256;
 [[nodiscard]] QByteArray writeCompensation(const CompensationTable &table, CompensationFormat format,
                                            const CompensationOptions &options);
 
-/// Remarks for the user before loading the table: required settings of the control, positions and directions
-/// that were not measured, and the origin of the sign.
-[[nodiscard]] std::vector<Message> compensationRemarks(const CompensationTable &table,
+/// Remarks for the user before loading the table: conditions of the test under which it holds, required
+/// settings of the control, positions and directions that were not measured, and the origin of the sign.
+[[nodiscard]] std::vector<Message> compensationRemarks(const Test &test, const CompensationTable &table,
                                                        CompensationFormat format,
                                                        const CompensationOptions &options);
 

@@ -64,6 +64,8 @@ private slots:
     void unknownFieldsAreRefused();
     void aTableBecomesASignedOffReport();
     void templatesAreApplied();
+    void aFieldIsSetOnce();
+    void anAliasIsTheEditionItself();
     void anotherEditionIsAViewInTheReport();
 
     void everyParameterIsExplained_data();
@@ -363,10 +365,7 @@ void BatchCommandTest::fieldsAreSetByTheirPath_data() {
     QTest::newRow("of one test") << QStringList{"tests[0].title=Axe X"} << "tests[0].title"
                                  << QJsonValue("Axe X");
     QTest::newRow("a word") << QStringList{"role=asLeft"} << "tests[0].role" << QJsonValue("asLeft");
-    QTest::newRow("the later wins") << QStringList{"machine.name=A", "machine.name=B"} << "machine.name"
-                                    << QJsonValue("B");
-    QTest::newRow("an empty text") << QStringList{"machine.name=A", "machine.name="} << "machine.name"
-                                   << QJsonValue("");
+    QTest::newRow("an empty text") << QStringList{"tests[0].title="} << "tests[0].title" << QJsonValue("");
 }
 
 namespace {
@@ -400,10 +399,11 @@ void BatchCommandTest::fieldsAreSetByTheirPath() {
 
 void BatchCommandTest::unknownFieldsAreRefused_data() {
     QTest::addColumn<QString>("setting");
-    for (const char *setting : {"machine.nme=X", "limits.A.valu=1", "machine.year=soon", "role=before",
-                                "tests[7].title=X", "tests[x].title=X", "machine.=X", ".name=X",
-                                "machine..name=X", "machine=X", "nonsense=1", "limits.A.value=", "axis=Y",
-                                "unit=um", "tests[0]=X", "machine.name[0]=X", "[0]=1", "targets[0]=1e999"})
+    for (const char *setting :
+         {"machine.nme=X", "limits.A.valu=1", "machine.year=soon", "role=before", "tests[7].title=X",
+          "tests[x].title=X", "machine.=X", ".name=X", "machine..name=X", "machine=X", "nonsense=1",
+          "limits.A.value=", "axis=Y", "unit=um", "tests[0]=X", "tests[0]={}", "machine.name[0]=X", "[0]=1",
+          "targets[0]=1e999"})
         QTest::newRow(setting) << setting;
     for (const char *setting : {"limits.A.value=20", "limits.A.value=5arcsec"}) // µm or mm?
         QTest::newRow(setting) << setting;
@@ -420,6 +420,34 @@ void BatchCommandTest::unknownFieldsAreRefused() {
         runCli({"report", at("in/a.palmer"), "-o", at("o.pdf"), "--set", setting, "--language", "en"});
     QCOMPARE(report.code, 2);
     QVERIFY(!QFileInfo::exists(at("o.pdf")));
+}
+
+void BatchCommandTest::aFieldIsSetOnce() {
+    const CliResult twice = runCli({"evaluate", at("in/a.palmer"), "--set", "limits.A.value=20um", "--set",
+                                    "limits.A.value=30um", "--language", "en"});
+    QCOMPARE(twice.code, 2);
+    QVERIFY2(twice.err.contains("--set limits.A.value stands twice"), twice.err);
+}
+
+/// An edition and its alias are one: its verdicts stay.
+void BatchCommandTest::anAliasIsTheEditionItself() {
+    const auto verdict = [&](const char *edition) {
+        const QJsonObject results =
+            object(runCli({"evaluate", EXAMPLES "x-axis-as-found-as-left.palmer", "--set",
+                           "limits.A.value=20um", "--json", "--edition", edition})
+                       .out);
+        return results["tests"].toArray()[1].toObject()["verdict"];
+    };
+    const QByteArray own =
+        object(runCli({"evaluate", EXAMPLES "x-axis-as-found-as-left.palmer", "--json"}).out)["tests"]
+            .toArray()[1]
+            .toObject()["edition"]
+            .toString()
+            .toUtf8();
+    QVERIFY(verdict(own.constData()).isString());
+    QVERIFY(verdict("ISO 230-2:1988").isNull());
+    const auto alias = own == "ISO 230-2:2006" ? "GB/T 17421.2-2016" : "GB/T 17421.2-2023";
+    QCOMPARE(verdict(alias), verdict(own.constData()));
 }
 
 void BatchCommandTest::aTableBecomesASignedOffReport() {
@@ -457,6 +485,39 @@ void BatchCommandTest::templatesAreApplied() {
               "machine": {"name": "Mill", "serialNumber": ")" +
                                            QByteArray(serial) + R"("}})");
         QCOMPARE(runCli({"evaluate", at("own.palmer"), "--template", at("n.palmer-template")}).code, code);
+    }
+    // Nor its instrument; of names, where a serial number is not stated, it is said.
+    write(at("laser.palmer"), R"({"format": "palmer test report", "version": 1, "machine": {"name": "Mill"},
+          "instruments": [{"id": "laser", "serialNumber": "L1"}],
+          "tests": [{"kind": "drift", "id": "d", "times": [0, 1], "deviations": [0, 0]}]})");
+    for (const auto &[content, code, said] :
+         {std::tuple{R"("instrument": {"id": "laser", "serialNumber": "L9"})", 3, "serial number L9"},
+          std::tuple{R"("instrument": {"id": "laser", "serialNumber": "L 1"})", 0, ""},
+          std::tuple{R"("machine": {"name": "Lathe", "serialNumber": "5"})", 0, "“Mill” by “Lathe”"},
+          std::tuple{R"("machine": {"name": "mill", "serialNumber": "5"})", 0, ""},
+          std::tuple{R"("kind": "circular", "limits": {"G": {"value": 0.01}})", 2, "fits no test"},
+          std::tuple{R"("conditions": {"soak": "12 h"})", 2, "fits no test"}}) {
+        write(at("t.palmer-template"),
+              QByteArray(R"({"format": "palmer template", "version": 1, )") + content + "}");
+        const CliResult applied = runCli(
+            {"evaluate", at("laser.palmer"), "--template", at("t.palmer-template"), "--language", "en"});
+        QCOMPARE(applied.code, code);
+        QVERIFY2(applied.err.contains(said) && applied.err.isEmpty() == !*said, applied.err);
+    }
+    // Limits in mm are none of a rotary axis; of several files the others are worked on.
+    const QString rotary = QStringLiteral(EXAMPLES "rotary-axis.palmer");
+    const QStringList limits{"--template", at("l.palmer-template"), "--language", "en"};
+    QCOMPARE(runCli(QStringList{"evaluate", rotary} + limits).code, 2);
+    const CliResult both = runCli(QStringList{"evaluate", rotary, at("in/a.palmer")} + limits);
+    QCOMPARE(both.code, 1);
+    QVERIFY2(both.err.contains("rotary-axis.palmer: --template") && both.err.count('\n') == 1, both.err);
+    // A file of an option is read, and never written to.
+    const QByteArray before = contents(at("l.palmer-template"));
+    for (const QStringList &call :
+         {QStringList{"report", at("in/a.palmer")}, QStringList{"report", at("in"), at("in/a.palmer")}}) {
+        const CliResult kept = runCli(call + limits + QStringList{"-o", at("l.palmer-template"), "--force"});
+        QVERIFY2(kept.code == 2 || contents(at("l.palmer-template")) == before, kept.err);
+        QCOMPARE(contents(at("l.palmer-template")), before);
     }
     write(at("bad.palmer-template"), R"({"format": "palmer template"})");
     // A file that cannot be read, once, however many are worked on.

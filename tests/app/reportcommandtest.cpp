@@ -6,7 +6,11 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QtEndian>
@@ -40,6 +44,7 @@ private slots:
     void saysThatALogoIsNoPicture();
     void refusesWrongUsage_data();
     void refusesWrongUsage();
+    void noReportTakesTheNameOfAnother();
     void saysWhatItCannotReadOrWrite();
     void drawsFigures_data();
     void drawsFigures();
@@ -232,6 +237,32 @@ void ReportCommandTest::refusesWrongUsage() {
     QCOMPARE(result.out, QByteArray());
     QCOMPARE(result.err.count('\n'), 1);
     QVERIFY2(result.err.contains(says.toUtf8()), result.err.constData());
+}
+
+/// a in French and English is a.fr.pdf and a.en.pdf: the name of the report of a.fr.
+void ReportCommandTest::noReportTakesTheNameOfAnother() {
+    const QTemporaryDir folder;
+    QFile file(example);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray one = file.readAll();
+    for (const auto &[name, languages] :
+         {std::pair{"a.palmer", R"(["fr", "en"])"}, std::pair{"a.fr.palmer", R"(["fr"])"}}) {
+        QFile written(folder.filePath(name));
+        QVERIFY(written.open(QIODevice::WriteOnly));
+        QJsonObject test = QJsonDocument::fromJson(one).object();
+        QJsonObject report = test["report"].toObject();
+        report["languages"] = QJsonDocument::fromJson(languages).array();
+        test["report"] = report;
+        written.write(QJsonDocument(test).toJson());
+    }
+    const QStringList call{"report", folder.filePath("a.palmer"), folder.filePath("a.fr.palmer"), "-o",
+                           folder.filePath("out")};
+    const CliResult both = run(call);
+    QCOMPARE(both.code, 2);
+    QVERIFY2(both.err.contains("would both be written as") && !QFileInfo::exists(folder.filePath("out")),
+             both.err.constData());
+    QVERIFY(run(call + QStringList{"--language", "fr"}).code < 2);
+    QCOMPARE(QDir(folder.filePath("out")).entryList(QDir::Files), (QStringList{"a.fr.pdf", "a.pdf"}));
 }
 
 void ReportCommandTest::saysWhatItCannotReadOrWrite() {

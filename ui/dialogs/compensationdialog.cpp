@@ -208,7 +208,7 @@ void CompensationDialog::compute() {
     try {
         const CompensationTable table = compensationTable(test, evaluation, kind, options);
         m_written = writeCompensation(table, kind, options);
-        m_remarks = compensationRemarks(table, kind, options);
+        m_remarks = compensationRemarks(test, table, kind, options);
         CompensationTable read = readCompensation(m_written, kind, options);
         read.motion = table.motion; // not stated in the files of some controls
         predict(read);

@@ -354,6 +354,8 @@ private slots:
     void weihongReadsWhatIsWritten();
     void namesAreThoseOfTheControl();
     void saysWhereNothingWasMeasured();
+    void saysUnderWhichConditionsItHolds_data();
+    void saysUnderWhichConditionsItHolds();
     void inventsNoDirection();
     void comparesTables();
     void readingsReadBack_data();
@@ -704,7 +706,7 @@ void CompensationTest::saysWhereNothingWasMeasured() {
         form.to = to;
         QStringList sentences;
         for (const Message &remark :
-             compensationRemarks(compensationTable(test, evaluated(test), format, form), format, form))
+             compensationRemarks(test, compensationTable(test, evaluated(test), format, form), format, form))
             sentences << Language(Language::Id::english).sentence(remark);
         return sentences.join('\n');
     };
@@ -722,6 +724,59 @@ void CompensationTest::saysWhereNothingWasMeasured() {
     QVERIFY(said({}, {}, 0, CompensationFormat::weihong).contains("nominal \u2212 actual"));
 }
 
+/// A table that was made warm, or on top of another one, holds only so.
+void CompensationTest::saysUnderWhichConditionsItHolds_data() {
+    QTest::addColumn<std::string>("compensation");
+    QTest::addColumn<int>("correction");
+    QTest::addColumn<double>("temperature");
+    QTest::addColumn<bool>("rotary");
+    QTest::addColumn<QStringList>("said");
+    const QString onTop("on top of what was active then");
+    const auto row = [](const char *name, const char *compensation, CorrectionTo20 correction,
+                        double temperature, bool rotary, const QStringList &said) {
+        QTest::newRow(name) << std::string(compensation) << static_cast<int>(correction) << temperature
+                            << rotary << said;
+    };
+    row("at 20 °C", "", CorrectionTo20::notStated, 20, false, {});
+    row("corrected", "", CorrectionTo20::appliedHere, 27, false, {});
+    row("warm", "", CorrectionTo20::notApplied, 27, false, {"the machine at 27"});
+    row("warm, not stated", "", CorrectionTo20::notStated, 27.5, false, {"the machine at 27.5"});
+    row("temperature unknown", "", CorrectionTo20::notStated, 0, false, {"the temperature of the test"});
+    row("an angle", "", CorrectionTo20::notStated, 27, true, {});
+    row("on a table", "pitch table", CorrectionTo20::appliedHere, 20, false, {"pitch table", onTop});
+    row("on a table, warm", "pitch table", CorrectionTo20::notApplied, 31, false,
+        {onTop, "the machine at 31"});
+}
+
+void CompensationTest::saysUnderWhichConditionsItHolds() {
+    QFETCH(const std::string, compensation);
+    QFETCH(const int, correction);
+    QFETCH(const double, temperature);
+    QFETCH(const bool, rotary);
+    QFETCH(const QStringList, said);
+    Test test = smallTest();
+    auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+    measurement.axis.motion = rotary ? Motion::rotary : Motion::linear;
+    Conditions &conditions = measurement.conditions.common;
+    conditions.compensation = compensation;
+    conditions.correctionTo20 = static_cast<CorrectionTo20>(correction);
+    conditions.sensors.clear();
+    if (temperature > 0) {
+        Sensor sensor;
+        sensor.measures = SensorMeasures::machine;
+        sensor.start = temperature;
+        conditions.sensors = {sensor};
+    }
+    const auto format = CompensationFormat::csv;
+    QStringList sentences;
+    for (const Message &remark :
+         compensationRemarks(test, compensationTable(test, evaluated(test), format, {}), format, {}))
+        sentences << Language(Language::Id::english).sentence(remark).replace(QChar::Nbsp, ' ');
+    QCOMPARE(sentences.isEmpty(), said.isEmpty());
+    for (const QString &words : said)
+        QVERIFY2(sentences.join('\n').contains(words), qPrintable(sentences.join('\n')));
+}
+
 /// Of a test of one direction: no columns of both, and where the control needs them it is said.
 void CompensationTest::inventsNoDirection() {
     for (const Direction direction : {Direction::positive, Direction::negative}) {
@@ -735,7 +790,7 @@ void CompensationTest::inventsNoDirection() {
             CompensationOptions form = referenced(0);
             const CompensationTable table = compensationTable(test, evaluation, format, form);
             QVERIFY(table.only == direction && table.forward == table.reverse);
-            const auto remarks = compensationRemarks(table, format, form);
+            const auto remarks = compensationRemarks(test, table, format, form);
             const auto said = std::ranges::count_if(remarks, [&](const Message &remark) {
                 return Language(Language::Id::english)
                     .sentence(remark)
