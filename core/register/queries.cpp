@@ -278,7 +278,7 @@ std::vector<ListedMachine> machinesCalled(Database &database, const QString &wor
     result = chosenAsStated(isExact);
     return !result.empty() ? result
                            : chosenAsStated([wanted = comparable(words)](const ListedMachine &machine) {
-                                 return searched(machine).contains(wanted);
+                                 return !wanted.isEmpty() && searched(machine).contains(wanted);
                              });
 }
 

@@ -240,9 +240,11 @@ TrendPanel smallTrendPanel(const MachineTrend &trend, const TrendSpan &span, con
 TrendFigure trendFigure(const QString &title, const MachineTrend &trend, const QDate &today,
                         const Language &language) {
     constexpr int mostTicks = 12;
+    QStringList notes{editionOf(trend), otherSeries(trend, language)};
+    notes.removeAll(QString());
     return {title,
             {},
-            otherSeries(trend, language),
+            notes.join(QStringLiteral(" · ")),
             {trendPanel(trend, trendSpan({trend}, today), today, language, mostTicks)},
             trendLegend(language, {trend})};
 }

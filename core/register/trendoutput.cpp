@@ -130,6 +130,17 @@ QString seriesName(const TrendSeries &series, bool angular, const Language &lang
     return parts.join(QStringLiteral(", "));
 }
 
+QString seriesText(TrendSeries series, bool angular, const Language &language) {
+    series.difference = {
+        true, true, true, true,
+        QString::fromStdString(series.setUp).split(QStringLiteral("; "), Qt::SkipEmptyParts)};
+    return seriesName(series, angular, language);
+}
+
+QString editionOf(const MachineTrend &trend) {
+    return trend.series.empty() ? QString() : QString::fromStdString(trend.series.front().edition);
+}
+
 QString otherSeries(const MachineTrend &trend, const Language &language) {
     QStringList others;
     for (const TrendSeries &series : trend.series)
@@ -376,6 +387,8 @@ Report composeTrend(const ListedMachine &machine, const std::string &axis, const
     const QString limit =
         trend.limit ? language.quantity(*trend.limit, quantity, limitDecimals(*trend.limit, quantity))
                     : QString();
+    if (const QString edition = editionOf(trend); !edition.isEmpty())
+        facts.rows.push_back({language.text(REPORT_TEXT("report", "Edition")), edition});
     facts.rows.push_back({language.text(REPORT_TEXT("report", "Limit")), limit});
     facts.rows.push_back({language.text(REPORT_TEXT("report", "Trend")), trendStatement(trend, language)});
     for (const KeyValue &fact : trendFacts(trend, language))

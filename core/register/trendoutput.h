@@ -36,6 +36,12 @@ namespace palmer {
 [[nodiscard]] QString seriesName(const TrendSeries &series, bool angular, const Language &language);
 
 /// Names all but the first series: "Another series: ISO 230-2:1988 · feed 500 mm/min"; empty without them.
+/// Returns what the tests of a series have in common: edition, feed, travel, …
+[[nodiscard]] QString seriesText(TrendSeries series, bool angular, const Language &language);
+
+/// Returns the edition of the first series; empty without tests.
+[[nodiscard]] QString editionOf(const MachineTrend &trend);
+
 [[nodiscard]] QString otherSeries(const MachineTrend &trend, const Language &language);
 
 /// Returns "repair", "collision".

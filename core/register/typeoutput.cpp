@@ -174,6 +174,9 @@ private:
             result.rows.push_back({m_language.text(key), text});
         };
         add(REPORT_TEXT("report", "Machines"), m_language.count(m_test.members.size()));
+        if (!m_test.members.empty())
+            add(REPORT_TEXT("report", "Comparable tests"),
+                seriesText(m_test.series, m_test.angular, m_language));
         if (!m_test.statistics) {
             add(REPORT_TEXT("report", "Tolerance limit"),
                 m_language.text(
@@ -291,6 +294,8 @@ BarFigure typeFigure(const TypeTest &test, const Language &language) {
     const QString symbol = plainSymbolOf(test.parameter);
     figure.title = language.sentence(
         {REPORT_TEXT("report", "%1 of the machines of the type"), {symbol.toStdString()}, {}});
+    if (!test.members.empty())
+        figure.note = seriesText(test.series, test.angular, language);
     figure.x.symbol = symbol;
     figure.x.unit = language.unit(quantity);
     figure.dots = DotLegend{language.text(REPORT_TEXT("report", "value ± U")), {}};

@@ -167,6 +167,7 @@ void RegisterCommandTest::whatIsListed_data() {
     QTest::newRow("by its serial number") << QStringList{"--machine", "000002"} << 40;
     QTest::newRow("by its maker") << QStringList{"--machine", "maker b"} << 80;
     QTest::newRow("none of that name") << QStringList{"--machine", "machine 999"} << 0;
+    QTest::newRow("none of a mark") << QStringList{"--machine", "%"} << 0;
     QTest::newRow("an axis") << QStringList{"--axis", "x"} << 60;
     QTest::newRow("a plane") << QStringList{"--axis", "XY"} << 60;
     QTest::newRow("a kind") << QStringList{"--kind", "circular"} << 60;

@@ -271,7 +271,10 @@ private slots:
         const Language english(Language::Id::english);
         QCOMPARE(seriesName(trend.series.back(), false, english).replace(QChar::Nbsp, ' '), name);
         QCOMPARE(otherSeries(trend, english).isEmpty(), name.isEmpty());
-        QCOMPARE(trendFigure("A", trend, QDate(2026, 1, 1), english).note, otherSeries(trend, english));
+        const QString edition = QString::fromStdString(trend.series.front().edition);
+        const QString others = otherSeries(trend, english);
+        QCOMPARE(trendFigure("A", trend, QDate(2026, 1, 1), english).note,
+                 others.isEmpty() ? edition : edition + " · " + others);
     }
     /// Circles: the nominal radius, not its calibration; the signal, and one sense or both.
     void whatSplitsTheSeriesOfCircles() {
