@@ -308,7 +308,13 @@ bool EvaluatedDocument::isPending(std::size_t test) const {
 
 EvaluatedDocument evaluate(std::shared_ptr<const Document> document, const EvaluatedDocument *previous,
                            std::string_view edition) {
-    const std::vector<std::string> editions(document->tests.size(), std::string(edition));
+    std::vector<std::string> editions(document->tests.size(), std::string(edition));
+    const Edition *asked = findEdition(edition);
+    for (std::size_t i = 0; asked && i < editions.size(); ++i) {
+        const Edition *own = findEdition(document->tests[i]->edition);
+        if (own && std::string_view(own->family) == asked->family) // the same under another name
+            editions[i].clear();
+    }
     return evaluateUnder(std::move(document), editions, previous);
 }
 
