@@ -89,7 +89,13 @@ std::pair<std::size_t, std::size_t> statedPair(const EvaluatedDocument &file, Co
 }
 
 bool isDifference(const ComparedParameter &parameter) {
-    return parameter.word && statesDifference(*parameter.word);
+    return parameter.word && (statesDifference(*parameter.word) || *parameter.word == ChangeWord::notProven);
+}
+
+/// Also where nothing was compared, or no word is said.
+bool isOpenOrDiffers(const TestComparison &comparison) {
+    return comparison.refusal || std::ranges::any_of(comparison.parameters, isDifference) ||
+           std::ranges::none_of(comparison.parameters, [](const auto &one) { return one.word.has_value(); });
 }
 
 int runCompare(const Invocation &invocation) {
@@ -132,7 +138,7 @@ int runCompare(const Invocation &invocation) {
         printOut(
             plainText(composeComparison(comparison, before, after, invocation.language, options.tolerance),
                       textColumns()));
-    return comparison.refusal || std::ranges::any_of(comparison.parameters, isDifference) ? difference : done;
+    return isOpenOrDiffers(comparison) ? difference : done;
 }
 
 } // namespace

@@ -63,6 +63,12 @@ void CompareCommandTest::saysWhatHasChanged() {
     const QJsonObject agreed = jsonOf({"--test", "1", "--tolerance", "20"});
     QCOMPARE(agreed["tolerance"].toDouble(), 0.02);
     QCOMPARE(parameter(agreed, "B")["word"].toString(), "unchangedWithin");
+    // What is not proven, or not judged for want of targets, is no success.
+    QCOMPARE(runCli({"compare", both, both, "--test", "1", "--tolerance", "0.1"}).code, 1);
+    const QTemporaryDir folder;
+    const QString few = folder.filePath("few.palmer");
+    QCOMPARE(runCli({"synthesize", "positioning", "--targets", "4", "--noise", "1", "-o", few}).code, 0);
+    QCOMPARE(runCli({"compare", few, few, "--test", "1"}).code, 1);
 }
 
 void CompareCommandTest::aFileStatesWhatItCompares() {
