@@ -33,6 +33,8 @@ constexpr std::array rows{
     JsonFormat{"selftest", "palmer validation", 1, "palmer-validation", "selftest --json"},
     JsonFormat{"error", "palmer error", 1, "palmer-error", "evaluate --json-lines"},
     JsonFormat{"test", fileFormat, fileVersion, "palmer", "import -o"},
+    JsonFormat{"test-2", fileFormat, 2, "palmer", "import -o"},
+    JsonFormat{"test-1", fileFormat, 1, "palmer", "import -o"},
     JsonFormat{"machines", "palmer machines", 1, "palmer-machines", "register interval"},
     JsonFormat{"reference", "palmer reference data", 1, "palmer-reference", ""}};
 // clang-format on

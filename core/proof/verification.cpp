@@ -5,6 +5,7 @@
 #include "document/json.h"
 #include "document/jsonformats.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace palmer {
@@ -16,7 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t mostLines = 200; ///< differences printed on a terminal
 
 Json differenceJson(const Difference &difference, const Language &language) {
-    Json result{{"page", difference.page > 0 ? Json(difference.page) : Json(nullptr)},
+    Json result{{"page", std::max(difference.page, 0)},
                 {"printed", difference.printed.toStdString()},
                 {"follows", difference.follows.toStdString()},
                 {"context", difference.context.toStdString()}};
