@@ -303,6 +303,14 @@ DriftSynthesis drift(const Invocation &invocation) {
     return asked;
 }
 
+/// True if a cyclic error is 0 at every target.
+bool hidesCyclic(const PositioningSynthesis &asked) {
+    constexpr double nothing = 1e-6;
+    return asked.cyclic != 0 && std::ranges::all_of(asked.targets, [&](double target) {
+               return std::abs(std::remainder(target, asked.pitch / 2)) < nothing * asked.pitch;
+           });
+}
+
 TestPointer madeTest(const Language &language, const char *id, decltype(Test::measurement) measurement) {
     Test test;
     test.id = id;
@@ -354,6 +362,12 @@ int runSynthesize(const Invocation &invocation) {
     }
     if (!isCircular) {
         const PositioningSynthesis asked = positioning(invocation);
+        if (hidesCyclic(asked))
+            printError(invocation.language.sentence(
+                {REPORT_TEXT("report", "Every target lies where a cyclic error of the pitch %1 is 0: it does "
+                                       "not show in the readings. Choose other --targets, another --travel "
+                                       "or pitch."),
+                 {Number{asked.pitch, Quantity::position}}}));
         document.tests.push_back(madeTest(namesLanguage(invocation), "made", synthesizePositioning(asked)));
         return write(document, truthJson(asked), invocation, output);
     }

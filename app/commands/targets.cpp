@@ -212,10 +212,13 @@ std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation
         requireOutput(invocation, output, {"palmer", "pdf", "txt"});
         return {{output, planned(plans, cycle, invocation, edition, ending)}};
     }
+    if (plans.size() > 1 && isStandardOutput(output))
+        throw UsageError({REPORT_TEXT("report", "standard output takes one part program, and the zone has "
+                                                "its own; write them into files")});
     std::vector<std::pair<QString, QByteArray>> files;
     for (const PlannedMeasurement &one : plans) {
         QString path = output;
-        if (one.request.zone && output != QLatin1StringView("-"))
+        if (one.request.zone)
             path.insert(output.size() - (ending.isEmpty() ? 0 : ending.size() + 1), QStringLiteral("-zone"));
         requireOutput(invocation, path, programEndings);
         try {

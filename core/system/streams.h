@@ -16,7 +16,7 @@ void prepareStreams();
 /// Columns of the terminal on standard output; null if it is none.
 [[nodiscard]] std::optional<int> columnsOfTerminal();
 
-/// True if a person reads standard error as it is written.
+/// True if a person reads standard error as it is written, on a terminal that can clear a line.
 [[nodiscard]] bool errorsGoToTerminal();
 
 /// Discards standard error during its lifetime.

@@ -126,6 +126,9 @@ private slots:
         for (const char *zone : {"2000:4000", "-100:1900", "1999:3001"})
             QTest::newRow(qPrintable(QString("a zone beyond the axis ") + zone))
                 << QStringList{"--travel", "3000", QString("--zone=") + zone, "-o", "-"};
+        for (const char *output : {"-", "/dev/stdout"})
+            QTest::newRow(qPrintable(QString("two programs into one: ") + output))
+                << QStringList{"--travel", "3000", "--program", "iso", "-o", output};
         QTest::newRow("a zone of a short axis") << QStringList{"--travel", "9", "--zone", "1:2", "-o", "-"};
     }
     void refusesWhatMakesNoPlan() {

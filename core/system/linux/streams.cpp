@@ -7,7 +7,9 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
+#include <string_view>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <thread>
@@ -32,7 +34,8 @@ std::optional<int> columnsOfTerminal() {
 }
 
 bool errorsGoToTerminal() {
-    return ::isatty(STDERR_FILENO) == 1;
+    const char *const terminal = std::getenv("TERM");
+    return ::isatty(STDERR_FILENO) == 1 && !(terminal && std::string_view(terminal) == "dumb");
 }
 
 QuietErrors::QuietErrors()
