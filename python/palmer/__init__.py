@@ -97,7 +97,7 @@ class Evaluation:
     def readings(self) -> pd.DataFrame:
         """A row per reading, with `unit` (mm; rotary axes deg). Positioning: run (from 1), approach, position,
         deviation; missing readings are NaN. Circular: arc (from 1), sense, angle (degrees), deviation (radial).
-        Drift: time (s), deviation."""
+        Drift: time (s), deviation; of several channels also channel, their name."""
         rows: list[dict[str, Any]] = []
         for number, test in enumerate(self.json["tests"], start=1):
             unit, readings = self._unit(number - 1), test["readings"]
@@ -110,6 +110,10 @@ class Evaluation:
                          for angle, value in zip(arc["angles"], arc["radialDeviations"])]
             rows += [{**head, "time": time, "deviation": value}
                      for time, value in zip(readings.get("times", []), readings.get("deviations", []))]
+            for channel in readings.get("channels", []):
+                own = {**head, "unit": "mm" if channel["quantity"] == "deviation" else "deg", "channel": channel["name"]}
+                rows += [{**own, "time": time, "deviation": value}
+                         for time, value in zip(readings["times"], channel["values"])]
         frame = pd.DataFrame(rows, columns=None if rows else ["test", "unit", "deviation"])
         frame["deviation"] = frame["deviation"].astype(float)
         frame.attrs["units"] = {"angle": "deg", "time": "s"}

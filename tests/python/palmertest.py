@@ -54,6 +54,13 @@ class PalmerTest(unittest.TestCase):
         self.assertEqual(list(circle.tests["kind"]), ["circular"])
         self.assertTrue(len(circle.findings) and set(circle.findings["grade"]) <= {"requirement", "recommendation", "note"})
 
+    def test_a_drift_record_has_its_channels(self):
+        file = folder + "/drift.palmer"
+        cli("synthesize", "drift", "--source", "straight:X=5", "--source", "straight:Y=2", "--hours", "0.1", "-o", file)
+        readings = palmer.evaluate(file).readings
+        self.assertEqual({name: len(part) for name, part in readings.groupby("channel")}, {"X": 7, "Y": 7})
+        self.assertAlmostEqual(readings[readings["channel"] == "X"]["deviation"].max(), 0.0005, 9)
+
     def test_a_measurement_wants_answers(self):
         data = source + "/doc/x-axis.csv"
         open_question = folder + "/without-unit.csv"
