@@ -8172,10 +8172,6 @@
         <translation>terminé</translation>
     </message>
     <message>
-        <source>a verdict other than “conforms” (the report is written all the same), an unmet requirement (check), a difference (verify, compare, selftest)</source>
-        <translation>un verdict autre que «&#xa0;conforme&#xa0;» (le rapport est écrit malgré tout), une exigence non satisfaite (check), une différence (verify, compare, selftest)</translation>
-    </message>
-    <message>
         <source>wrong usage</source>
         <translation>usage incorrect</translation>
     </message>
@@ -11100,6 +11096,54 @@
     <message>
         <source>overdue since %1 (%2)</source>
         <translation>en retard depuis le %1 (%2)</translation>
+    </message>
+    <message>
+        <source>no test of the file has the field “%1”</source>
+        <translation>aucun essai du fichier n’a le champ «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Compensation in the test: “%1”. Table and prediction hold on top of what was active then: add the two, do not replace it.</source>
+        <translation>Compensation pendant l’essai&#xa0;: «&#xa0;%1&#xa0;». La table et la prévision s’ajoutent à ce qui était alors actif&#xa0;: additionner les deux, ne pas remplacer.</translation>
+    </message>
+    <message>
+        <source>The readings are not stated to be corrected to 20 °C: table and prediction hold for the machine at %1, expansion included.</source>
+        <translation>Rien n’indique que les relevés sont corrigés à 20&#xa0;°C&#xa0;: la table et la prévision valent pour la machine à %1, dilatation comprise.</translation>
+    </message>
+    <message>
+        <source>The readings are not stated to be corrected to 20 °C: table and prediction hold for the temperature of the test.</source>
+        <translation>Rien n’indique que les relevés sont corrigés à 20&#xa0;°C&#xa0;: la table et la prévision valent à la température de l’essai.</translation>
+    </message>
+    <message>
+        <source>Comparable tests</source>
+        <translation>Essais comparables</translation>
+    </message>
+    <message>
+        <source>a verdict other than “conforms” (the report is written all the same), an unmet requirement (check), a difference (verify, compare, selftest), nothing judged or proven (compare)</source>
+        <translation>un verdict autre que «&#xa0;conforme&#xa0;» (le rapport est écrit malgré tout), une exigence non satisfaite (check), une différence (verify, compare, selftest), rien de jugé ou de prouvé (compare)</translation>
+    </message>
+    <message>
+        <source>the template replaces “%1” by “%2”</source>
+        <translation>le modèle remplace «&#xa0;%1&#xa0;» par «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the template is of the instrument with the serial number %1, the file has the one with %2</source>
+        <translation>le modèle est celui de l’instrument de numéro de série %1, le fichier a l’instrument %2</translation>
+    </message>
+    <message>
+        <source>--template %1 has no effect here: it fits no test of the file; limits are of one kind of test, and of linear or of rotary axes</source>
+        <translation>--template %1 est sans effet ici&#xa0;: il ne convient à aucun essai du fichier&#x202f;; des limites sont celles d’un seul type d’essai, et d’axes linéaires ou d’axes rotatifs</translation>
+    </message>
+    <message>
+        <source>the user has no folder of their own (HOME): say with %1 where the register is</source>
+        <translation>l’utilisateur n’a pas de dossier personnel (HOME)&#xa0;: indiquer par %1 où se trouve le registre</translation>
+    </message>
+    <message>
+        <source>Every target lies where a cyclic error of the pitch %1 is 0: it does not show in the readings. Choose other --targets, another --travel or pitch.</source>
+        <translation>Tous les points visés se trouvent là où une erreur cyclique de pas %1 est nulle&#xa0;: elle ne paraît pas dans les relevés. Choisir d’autres --targets, un autre --travel ou un autre pas.</translation>
+    </message>
+    <message>
+        <source>standard output takes one part program, and the zone has its own; write them into files</source>
+        <translation>la sortie standard prend un seul programme pièce, et la zone a le sien&#x202f;; les écrire dans des fichiers</translation>
     </message>
 </context>
 </TS>
