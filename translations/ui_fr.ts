@@ -5828,13 +5828,5 @@ est la même machine que&#xa0;:</translation>
         <source>Axis without name</source>
         <translation>Axe sans nom</translation>
     </message>
-    <message>
-        <source>Circle</source>
-        <translation>Cercle</translation>
-    </message>
-    <message>
-        <source>Drift</source>
-        <translation>Dérive</translation>
-    </message>
 </context>
 </TS>

@@ -307,7 +307,7 @@ void fields(Visit &visit, T &uncertainty) {
     visit("device", uncertainty.device, alike);
     visit("misalignmentRange", uncertainty.misalignmentRange, rangeOrUncertainty | FileUnit::length);
     visit("temperatureRange", uncertainty.temperatureRange,
-          rangeOrUncertainty | alike | FileUnit::temperature);
+          rangeOrUncertainty | alike | FileUnit::temperatureRange);
     visit("expansionRange", uncertainty.expansionRange, rangeOrUncertainty | alike | FileUnit::expansion);
     visit("environmentalVariation", uncertainty.environmentalVariation,
           rangeOrUncertainty | FileUnit::uncertainty);
@@ -338,7 +338,7 @@ void fields(Visit &visit, T &uncertainty) {
     visit("centring", uncertainty.centring, rangeOrUncertainty | FileUnit::uncertainty);
     visit("sameSensor", uncertainty.sameSensor, alike);
     visit("temperatureStandardUncertainty", uncertainty.temperatureStandardUncertainty,
-          rangeOrUncertainty | alike | FileUnit::temperature);
+          rangeOrUncertainty | alike | FileUnit::temperatureRange);
     visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty,
           rangeOrUncertainty | alike | FileUnit::expansion);
     visit("trials", uncertainty.trials, trialCount | alike);
@@ -471,7 +471,7 @@ void fields(Visit &visit, T &channel) {
 template <class Visit, Like<DriftTemperature> T>
 void fields(Visit &visit, T &temperature) {
     visit("measures", temperature.measures, obligatory);
-    visit("resolution", temperature.resolution, notNegative | FileUnit::temperature);
+    visit("resolution", temperature.resolution, notNegative | FileUnit::temperatureRange);
     visit("values", temperature.values, obligatory | celsius | FileUnit::temperature);
 }
 

@@ -76,6 +76,7 @@ const char *wordOf(FileUnit unit, Motion motion) {
     case FileUnit::perMetre:
         return "um/m";
     case FileUnit::temperature:
+    case FileUnit::temperatureRange:
         return "°C";
     case FileUnit::gradient:
         return "°C/h";
@@ -106,7 +107,7 @@ std::optional<double> inFileUnit(double number, std::string_view typed, FileUnit
     const Unit *to = unitOf(wanted);
     if (!from || !to || from->kind != to->kind)
         return std::nullopt;
-    if (to->multiplier == 1 && to->divisor == 1)
+    if (unit != FileUnit::temperatureRange && to->multiplier == 1 && to->divisor == 1)
         return from->toBase(number); // exact
     return from == to ? number : number * (from->multiplier * to->divisor) / (from->divisor * to->multiplier);
 }
@@ -137,6 +138,7 @@ Quantity quantityOf(FileUnit unit, Motion motion) {
     case FileUnit::perMetre: // the name of the field says "per metre"
         return Quantity::micrometres;
     case FileUnit::temperature:
+    case FileUnit::temperatureRange:
         return Quantity::temperature;
     case FileUnit::gradient:
         return Quantity::gradient;

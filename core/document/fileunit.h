@@ -23,6 +23,7 @@ enum class FileUnit : unsigned {
     angularDeviation, ///< degrees shown in arc seconds
     perMetre,         ///< µm/m
     temperature,      ///< °C
+    temperatureRange, ///< °C, of a difference: 2 K are 2 °C
     gradient,         ///< °C/h
     expansion,        ///< µm/(m·°C)
     seconds,

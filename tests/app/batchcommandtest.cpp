@@ -431,7 +431,7 @@ void BatchCommandTest::aFieldIsSetOnce() {
 
 /// An edition and its alias are one: its verdicts stay.
 void BatchCommandTest::anAliasIsTheEditionItself() {
-    const auto verdict = [&](const char *edition) {
+    const auto verdict = [&](const char *edition) -> QJsonValue {
         const QJsonObject results =
             object(runCli({"evaluate", EXAMPLES "x-axis-as-found-as-left.palmer", "--set",
                            "limits.A.value=20um", "--json", "--edition", edition})

@@ -196,6 +196,8 @@ private slots:
         row("tests[0].conditions.dwell", "500 ms", "0.5");
         row("tests[0].conditions.sensors[0].start", "22.5 °C", "22.5");
         row("tests[0].conditions.sensors[0].start", "22,5 C", "22.5");
+        row("tests[0].conditions.sensors[0].start", "295.65 K", "22.5");
+        row("tests[0].uncertainty.temperatureRange.machine", "2 K", "2"); // a difference
         row("tests[0].conditions.airPressure", "101.3 kPa", "1013");
         row("tests[0].conditions.airPressure", "1013 mbar", "1013");
         row("tests[0].conditions.airHumidity", "45 %", "45");
@@ -270,7 +272,7 @@ private slots:
         row("tests[0].axis.travel", "180 deg", "mm");
         row("tests[0].conditions.feed", "2000 mm", "mm/min");
         row("tests[0].conditions.dwell", "3 mm", "s");
-        row("tests[0].conditions.sensors[0].start", "300 K", "°C");
+        row("tests[0].conditions.sensors[0].start", "300 Pa", "°C");
         row("tests[0].conditions.expansion.machine", "11.5 um", "µm/(m·°C)");
         row("tests[0].conditions.airPressure", "1 atm", "hPa");
         row("tests[0].conditions.airHumidity", "45 mm", "%");

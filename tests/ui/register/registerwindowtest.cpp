@@ -555,7 +555,7 @@ private slots:
         QTRY_COMPARE(rows(), 3);
         m_window->setFolders({folder() + "/inner"}); // the inner one stays
         QTRY_COMPARE(rows(), 1);
-        QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 4"));
+        QTRY_COMPARE(find<QLabel>("machineName")->text(), QString("Machine 4"));
         m_window->setFolders({});
         QTRY_COMPARE(rows(), 0);
         m_window->setFolders({folder()});
