@@ -21,7 +21,7 @@ namespace palmer {
 
 namespace {
 
-/// What a template does to a file.
+/// The effect of a template on a file.
 struct Applied {
     bool hasEffect = true;
     std::vector<Message> said;

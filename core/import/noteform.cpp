@@ -69,7 +69,7 @@ std::optional<UnitStatement> unitStatement(const QString &text) {
     return statement.unit.isSaid() ? std::optional(statement) : std::nullopt;
 }
 
-/// What a unit is of; also from the beginnings of words, as in "Einheit der Positionen".
+/// The quantity that a unit belongs to; also from the beginnings of words, as in "Einheit der Positionen".
 Meaning meaningOf(const QString &words) {
     struct Row {
         const char *beginning;

@@ -45,7 +45,7 @@ void joinRemarks(Remarks &remarks) {
     for (Remark &remark : remarks) {
         const auto [place, isFirst] =
             first.try_emplace({remark.grade, remark.message.text.source, remark.choice}, joined.size());
-        // What is of no line differs by its words alone: one sensor, one run.
+        // Without a line the words tell them apart: one sensor, one run.
         const bool isOther = !isFirst && remark.line == 0 && remark.message != joined[place->second].message;
         if (isFirst || isOther) {
             place->second = joined.size();

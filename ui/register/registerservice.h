@@ -67,7 +67,7 @@ private:
 
     QString m_address;
     QStringList m_folders;
-    QStringList m_left; ///< folders whose tests have still to leave the register
+    QStringList m_left;          ///< folders whose tests have still to leave the register
     bool m_keepsFolders = false; ///< saves the folders and the address
     ScanResult m_result;
     QString m_trouble;

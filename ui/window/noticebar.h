@@ -27,8 +27,8 @@ public:
         QList<Answer> answers;
     };
 
-    /// Shows a notice in the language of the window, also when that changes; every answer closes the bar. A new
-    /// notice replaces the former.
+    /// Shows a notice in the language of the window, also when that changes; every answer closes the bar. A
+    /// new notice replaces the former.
     void show(std::function<Notice()> notice);
 
     [[nodiscard]] QString sentence() const;

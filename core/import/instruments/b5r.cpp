@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+// Above 500 lines: one reader of one format, whose elements come in any order.
+
 namespace palmer {
 
 namespace {

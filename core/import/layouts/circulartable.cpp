@@ -17,6 +17,8 @@
 #include <iterator>
 #include <numbers>
 
+// Above 500 lines: one reader, whose steps share the columns and paths that were found.
+
 namespace palmer {
 
 namespace {

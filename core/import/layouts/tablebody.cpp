@@ -14,6 +14,8 @@
 #include <map>
 #include <utility>
 
+// Above 500 lines: one sorter, whose steps share the counts of the columns.
+
 namespace palmer {
 
 namespace {

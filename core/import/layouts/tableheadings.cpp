@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+// Above 500 lines: one search, whose steps share the rows that were taken for headings.
+
 namespace palmer {
 
 namespace {

@@ -107,7 +107,7 @@ void keepOneTable(const CellTable &table, TableBody &body, std::optional<std::si
     body.columns = body.sections[sections[body.table]];
 }
 
-/// What the lines above a block say: machine, serial number, day, the text of a day, plane and radius; then
+/// The statements of the lines above a block: machine, serial number, day, the text of a day, plane and radius; then
 /// axis, state and unit.
 using BlockFacts = std::array<std::string, 9>;
 constexpr std::size_t factsOfTest = 6;

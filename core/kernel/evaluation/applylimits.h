@@ -28,8 +28,8 @@ struct Judged {
 /// agreed for another edition, a finding says so; `missing` gives the reason. A limit that cannot be
 /// evaluated leaves the test not proven. Of two limits for one parameter, the parameter gets the one with the
 /// worse verdict, with equal verdicts the one with less room, and a finding names it: the verdict of the test
-/// is always the worst of its rows. If lengths do not hold at 20 °C, or this is open, rules that demand a proof
-/// prove nothing that depends on them. A view has no verdicts.
+/// is always the worst of its rows. If lengths do not hold at 20 °C, or this is open, rules that demand a
+/// proof prove nothing that depends on them. A view has no verdicts.
 void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
                  const std::function<std::vector<Judged>(const std::string &id)> &judged,
                  const std::function<NotEvaluable(const std::string &id)> &missing);
