@@ -79,7 +79,10 @@ QVariant ResultsModel::cell(const ResultLine &line, int place, int role) const {
     const bool names = own.look == ResultLook::symbol || own.look == ResultLook::name;
     switch (role) {
     case Qt::ToolTipRole:
-        return own.besideOnly ? line.otherVerdictWord : names ? line.fullName : QVariant();
+        return own.besideOnly                           ? line.otherVerdictWord
+               : names                                  ? line.fullName
+               : own.key == std::string_view("verdict") ? line.reason
+                                                        : QVariant();
     case Qt::AccessibleTextRole:
         if (own.look != ResultLook::symbol)
             return {};

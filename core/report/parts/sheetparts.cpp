@@ -152,15 +152,9 @@ QString namedRows(const EvaluatedDocument &evaluated, const std::vector<SheetRes
 Text reasonOf(const EvaluatedDocument &evaluated, const SheetResult &result) {
     if (result.state != SheetState::notProven)
         return {};
-    if (!result.uncertainty)
-        return REPORT_TEXT("report", "nothing is proven without a measurement uncertainty");
-    if (!result.parameter || !result.parameter->dependsOnTemperature)
-        return {};
-    const TestEvaluation &evaluation = *evaluated.tests[*result.test];
-    if (at20(evaluation) == At20::hold)
-        return {};
-    return notCorrected(evaluation) ? REPORT_TEXT("report", "nothing is proven: not corrected to 20 °C")
-                                    : REPORT_TEXT("report", "nothing is proven: not shown to hold at 20 °C");
+    if (result.parameter)
+        return whyNotProven(*result.parameter, *evaluated.tests[*result.test]);
+    return result.uncertainty ? Text() : notProvenWithoutUncertainty;
 }
 
 } // namespace

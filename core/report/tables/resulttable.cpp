@@ -200,6 +200,8 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         const Term &term = result.parameter->term;
         table.unit = language.unit(term.quantity);
         ResultLine line = lineOf(result, language);
+        if (line.verdict == Verdict::notProven)
+            line.reason = language.text(whyNotProven(*result.parameter, evaluation));
         // An axis measured from one side has no main parameter.
         const bool standsForAll = line.isFirst && term.of == Of::axis;
         line.main = standsForAll || term.weight == Weight::main;

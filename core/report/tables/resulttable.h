@@ -50,6 +50,7 @@ struct ResultLine {
     QString fullName;           ///< the edition's term
     std::vector<QString> cells; ///< in the order of resultColumns(); a dash for missing numbers
     std::optional<Verdict> verdict;
+    QString reason; ///< why nothing is proven; empty where the numbers say it
     std::optional<DecisionScale> scale;
     bool main = true;    ///< bidirectional, G or D; otherwise a detail
     bool isFirst = true; ///< first of its group, with a rule above

@@ -93,6 +93,15 @@ bool notCorrected(const TestEvaluation &evaluation) {
     return at20(evaluation) == At20::wrong;
 }
 
+Text whyNotProven(const Parameter &parameter, const TestEvaluation &evaluation) {
+    if (!parameter.expandedUncertainty)
+        return notProvenWithoutUncertainty;
+    if (!parameter.dependsOnTemperature || at20(evaluation) == At20::hold)
+        return {};
+    return notCorrected(evaluation) ? REPORT_TEXT("report", "nothing is proven: not corrected to 20 °C")
+                                    : REPORT_TEXT("report", "nothing is proven: not shown to hold at 20 °C");
+}
+
 DeviationMethod deviationMethod(const TestEvaluation &evaluation) {
     return partOr(
         DeviationMethod::calculation, evaluation.results,

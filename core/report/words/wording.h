@@ -55,6 +55,11 @@ namespace palmer {
 [[nodiscard]] At20 at20(const TestEvaluation &evaluation);
 [[nodiscard]] bool notCorrected(const TestEvaluation &evaluation);
 
+/// Returns why a result proves nothing under a rule that demands a proof; empty where its numbers say it.
+[[nodiscard]] Text whyNotProven(const Parameter &parameter, const TestEvaluation &evaluation);
+inline constexpr Text notProvenWithoutUncertainty =
+    REPORT_TEXT("report", "nothing is proven without a measurement uncertainty");
+
 /// Method used for s; `calculation` if there is no s.
 [[nodiscard]] DeviationMethod deviationMethod(const TestEvaluation &evaluation);
 

@@ -88,6 +88,9 @@ private slots:
         QCOMPARE(chip->text(), u"limits not proven"_s);
         QVERIFY(!chip->isVisibleTo(&panel)); // which the first statement says already
         QCOMPARE(panel.findChild<Chip *>(u"limitsChip"_s)->text(), u"limits not proven"_s);
+        const auto *rows = panel.findChild<QTableView *>(u"results"_s)->model();
+        QCOMPARE(rows->index(0, ResultsModel::columnOf("verdict")).data(Qt::ToolTipRole).toString(),
+                 u"nothing is proven: not shown to hold at 20 °C"_s);
         const auto *accordance = panel.findChild<LinkChip *>(u"accordanceChip"_s);
         QCOMPARE(accordance->text(), accordanceMark(Accordance::no).word);
         QVERIFY2(accordance->toolTip().startsWith(u"Test NOT in accordance with ISO 230-2:2006"_s),
