@@ -1146,18 +1146,21 @@ void MainWindow::fillRecentMenu() {
 void MainWindow::fillExamplesMenu() {
     QMenu *list = menu(WindowMenu::examples);
     list->clear();
-    QMenu *teaching = nullptr;
-    std::array<int, 2> numbers{}; // of the examples, and of those that teach
-    for (const Example &example : examples()) {
-        if (example.teaching && !teaching)
-            teaching = list->addMenu(tr("&Diagnosis: one influence each"));
-        const int number = ++numbers[example.teaching ? 1 : 0];
-        const QString key = number < 10 ? QStringLiteral("&%1  %2") : QStringLiteral("%1  %2");
-        QAction *action = (example.teaching ? teaching : list)->addAction(key.arg(number).arg(example.name));
-        connect(action, &QAction::triggered, this, [this, path = example.path] { openFile(path); });
-    }
+    const auto fill = [this](QMenu *menu, bool teaching) {
+        int number = 0;
+        for (const Example &example : examples()) {
+            if (example.teaching != teaching)
+                continue;
+            ++number;
+            const QString key = number < 10 ? QStringLiteral("&%1  %2") : QStringLiteral("%1  %2");
+            menu->addAction(key.arg(number).arg(example.name), this,
+                            [this, path = example.path] { openFile(path); });
+        }
+    };
+    fill(list, false);
     const Example ofType = typeExample();
     list->addAction(QStringLiteral("&0  ") + ofType.name, this, [this, ofType] { openFile(ofType.path); });
+    fill(list->addMenu(tr("&Diagnosis: one influence each")), true);
 }
 
 void MainWindow::showState() {
