@@ -341,9 +341,11 @@ Document withField(const Document &document, std::string_view path, std::string_
     const bool ofFile = file.contains(steps.front().key);
     if (steps.front().key == "tests" && steps.size() < 3) // its numbers would be taken without their units
         refusePath(path);
-    const std::vector<PlacedMeanings> placed =
-        ofFile ? std::vector<PlacedMeanings>{{"", Meanings(document, name).of(steps, value)}}
-               : meaningsForTests(document, steps, name, value);
+    std::vector<PlacedMeanings> placed;
+    if (ofFile)
+        placed.push_back({"", Meanings(document, name).of(steps, value)});
+    else
+        placed = meaningsForTests(document, steps, name, value);
     std::size_t most = 0;
     for (const PlacedMeanings &one : placed)
         most = std::max(most, one.meanings.size());
