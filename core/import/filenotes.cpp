@@ -177,7 +177,7 @@ void leave(const std::string &rest, std::size_t number, FileNotes &notes) {
         return;
     notes.unused.add(number, rest, notes.sheet);
     if (notes.doubts.size() < mostLines && doubtsReadings(rest))
-        notes.doubts.push_back({number, rest});
+        notes.doubts.emplace_back(number, rest);
 }
 
 } // namespace

@@ -199,9 +199,10 @@ bool readForm(const LabelledValue &said, FileNotes &notes) {
             notes.interval = unit.unit->toBase(*value);
         return notes.interval.has_value();
     }
-    if (const auto statement = unitStatement(text); statement && takeUnit(*statement, said.text, notes))
+    const auto statement = unitStatement(text);
+    if (statement && takeUnit(*statement, said.text, notes))
         return true;
-    else if (!statement && saysFactor(text, notes))
+    if (!statement && saysFactor(text, notes))
         notes.factor += (notes.factor.empty() ? "" : ", ") + said.text;
     else if (sign.match(text).hasMatch() && notes.sign.words.empty())
         notes.sign.words = said.text;

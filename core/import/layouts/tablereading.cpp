@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 
 namespace palmer {
 
@@ -107,8 +108,8 @@ void keepOneTable(const CellTable &table, TableBody &body, std::optional<std::si
     body.columns = body.sections[sections[body.table]];
 }
 
-/// The statements of the lines above a block: machine, serial number, day, the text of a day, plane and radius; then
-/// axis, state and unit.
+/// The statements of the lines above a block: machine, serial number, day, the text of a day, plane and
+/// radius; then axis, state and unit.
 using BlockFacts = std::array<std::string, 9>;
 constexpr std::size_t factsOfTest = 6;
 constexpr std::size_t unitFact = 8;
@@ -134,6 +135,31 @@ BlockFacts factsOf(const TableReading &reading, const TableBlock &block) {
             notes.unit.words()};
 }
 
+bool differ(std::span<const BlockFacts> blocks, std::size_t fact) {
+    std::set<std::string_view> said;
+    for (const BlockFacts &block : blocks)
+        said.insert(block[fact]);
+    said.erase(std::string_view());
+    return said.size() > 1;
+}
+
+/// The test that each block belongs to, by the facts in which they differ: a fact holds until another is
+/// stated.
+std::vector<std::string> testsOf(std::span<const BlockFacts> blocks) {
+    std::vector<std::string> tests(blocks.size());
+    for (std::size_t fact = 0; fact < factsOfTest; ++fact) {
+        if (!differ(blocks, fact))
+            continue;
+        const auto states = [fact](const BlockFacts &block) { return !block[fact].empty(); };
+        std::string last = (*std::ranges::find_if(blocks, states))[fact];
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            last = states(blocks[i]) ? blocks[i][fact] : last;
+            tests[i] += (tests[i].empty() ? "" : ", ") + last;
+        }
+    }
+    return tests;
+}
+
 } // namespace
 
 TableReading::TableReading(Imported &imported, Choices &chosen, const std::vector<CoverSheet> &covers)
@@ -142,7 +168,7 @@ TableReading::TableReading(Imported &imported, Choices &chosen, const std::vecto
     , body(bodyOf(imported.table, chosenNumbers(chosen)))
     , notes(notesOf(imported.table, body, chosen.chosen("axis"), covers)) {
     keepOneTable(result.table, body, chosenTable(chosen));
-    keepOneTest();
+    keepOneTest(covers);
     std::size_t cells = 0;
     for (const TableRow &each : result.table.rows())
         cells = std::max<std::size_t>(cells, each.first + each.count); // rows may be in any order
@@ -181,37 +207,20 @@ void TableReading::askForCutNumber() {
 
 /// Keeps the blocks of one machine, day, plane and radius, asked if the lines above them state several. Axes
 /// and states have choices of their own.
-void TableReading::keepOneTest() {
+void TableReading::keepOneTest(const std::vector<CoverSheet> &covers) {
     constexpr std::size_t mostBlocks = 1000;
     std::vector<BlockFacts> blocks;
     if (body.blocks.size() > mostBlocks)
         return;
     for (const TableBlock &block : body.blocks)
         blocks.push_back(factsOf(*this, block));
-    const auto differ = [&](std::size_t fact) {
-        std::set<std::string_view> said;
-        for (const BlockFacts &block : blocks)
-            said.insert(block[fact]);
-        said.erase(std::string_view());
-        return said.size() > 1;
-    };
-    if (differ(unitFact))
+    if (differ(blocks, unitFact))
         remarks.problem("unit",
                         REPORT_TEXT("report", "Unit: the lines above the blocks of numbers name several; "
                                               "all are read in one."));
-    if (differ(factsOfTest) || differ(factsOfTest + 1))
+    if (differ(blocks, factsOfTest) || differ(blocks, factsOfTest + 1))
         return;
-    std::vector<std::string> tests(blocks.size());
-    for (std::size_t fact = 0; fact < factsOfTest; ++fact) {
-        if (!differ(fact))
-            continue;
-        const auto states = [fact](const BlockFacts &block) { return !block[fact].empty(); };
-        std::string last = (*std::ranges::find_if(blocks, states))[fact]; // holds until another is stated
-        for (std::size_t i = 0; i < blocks.size(); ++i) {
-            last = states(blocks[i]) ? blocks[i][fact] : last;
-            tests[i] += (tests[i].empty() ? "" : ", ") + last;
-        }
-    }
+    const std::vector<std::string> tests = testsOf(blocks);
     std::vector<std::string> different;
     std::string list;
     for (const std::string &test : tests) {
@@ -239,7 +248,7 @@ void TableReading::keepOneTest() {
         std::erase_if(body.notes, [&](auto note) { return std::ranges::find(titles, note) != titles.end(); });
         body.blocks.erase(body.blocks.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    notes = notesOf(result.table, body, choices.chosen("axis"));
+    notes = notesOf(result.table, body, choices.chosen("axis"), covers);
 }
 
 void TableReading::askForTable() {

@@ -69,7 +69,7 @@ public:
 
 private:
     void askForTable();
-    void keepOneTest();
+    void keepOneTest(const std::vector<CoverSheet> &covers);
     void askForCutNumber();
     std::optional<double> noNumber(std::uint32_t index, std::size_t column);
 

@@ -383,6 +383,28 @@ private slots:
         QCOMPARE(imported.test->edition, "ISO 230-2:2006");
         QVERIFY2(remarksOf(imported).contains("Cover 5: Hall 3 was empty"), qPrintable(remarksOf(imported)));
     }
+
+    /// They also hold for the one of several tests that is read.
+    void coversHoldForEachTest() {
+        const auto rowsOf = [](const char *machine, const char *first) {
+            return std::vector<QStringList>{{"Machine:", machine},
+                                            {"Target (mm)", "Fwd (µm)", "Rev (µm)"},
+                                            {"0|0", QString("%1|%1").arg(first), "2|2"},
+                                            {"100|100", "3|3", "4|4"},
+                                            {"200|200", "5|5", "6|6"},
+                                            {}};
+        };
+        std::vector<QStringList> rows = rowsOf("Mill 1", "1");
+        std::ranges::copy(rowsOf("Mill 2", "7"), std::back_inserter(rows));
+        const QByteArray bytes =
+            testdata::storedOds(rows, {{"Sign", "target - actual"}, {"Edition", "ISO 230-2:2006"}});
+        const Imported imported = showMeasurement(bytes, "x.ods", {{"part", "Mill 2"}});
+        QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
+        const auto &measurement = std::get<PositioningMeasurement>(imported.test->measurement);
+        QCOMPARE(measurement.runs.at(0).deviations.at(0), std::optional(-0.007));
+        QCOMPARE(imported.test->edition, "ISO 230-2:2006");
+        QCOMPARE(imported.machine.name, "Mill 2");
+    }
 };
 
 QTEST_GUILESS_MAIN(LabelledFactsTest)
