@@ -8,6 +8,7 @@
 #include "report/words/wording.h"
 
 #include <algorithm>
+#include <span>
 
 namespace palmer {
 
@@ -197,6 +198,36 @@ SheetWords sheetWords(const EvaluatedDocument &evaluated, const std::vector<Test
     return words;
 }
 
+/// Numbers at their decimal marks. Pascals and millionths of a metre at one mark would leave no room for the
+/// objects.
+Alignment alignmentOf(std::span<const SheetWords> rows) {
+    constexpr qsizetype mostAligned = 14; // characters
+    qsizetype whole = 0;
+    qsizetype fraction = 0;
+    for (const SheetWords &words : rows) {
+        for (const QString &text : {words.value, words.uncertainty}) {
+            const qsizetype mark = std::max(text.indexOf(u'.'), text.indexOf(u','));
+            whole = std::max(whole, mark < 0 ? text.size() : mark);
+            fraction = std::max(fraction, mark < 0 ? 0 : text.size() - mark);
+        }
+    }
+    return whole + fraction > mostAligned ? Alignment::right : Alignment::decimal;
+}
+
+Cell objectCell(const SheetRow &row, const SheetWords &words) {
+    Cell object(QString::fromStdString(row.object));
+    if (row.from)
+        object.text.spans.push_back(
+            {(row.object.empty() ? QString() : QStringLiteral(" · ")) + words.source, false, false, true});
+    for (const std::string *note : {&row.standard, &row.remark, &row.notApplicable}) {
+        if (!note->empty())
+            object.extras.edit().notes.push_back({QString::fromStdString(*note)});
+    }
+    if (!words.reason.isEmpty())
+        object.extras.edit().notes.push_back({words.reason});
+    return object;
+}
+
 Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart> &parts,
                  const Writer &write) {
     constexpr double numberColumn = 9.2; // mm, like all widths here
@@ -215,19 +246,10 @@ Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart>
         else
             coverage.factor |= result.uncertainty.has_value();
     }
-    constexpr qsizetype mostAligned = 14; // characters
-    qsizetype whole = 0;
-    qsizetype fraction = 0;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        const SheetWords words = sheetWords(evaluated, parts, results[i], i, write);
-        for (const QString &text : {words.value, words.uncertainty}) {
-            const qsizetype mark = std::max(text.indexOf(u'.'), text.indexOf(u','));
-            whole = std::max(whole, mark < 0 ? text.size() : mark);
-            fraction = std::max(fraction, mark < 0 ? 0 : text.size() - mark);
-        }
-    }
-    // Pascals and millionths of a metre at one decimal mark would leave no room for the objects.
-    const auto alignment = whole + fraction > mostAligned ? Alignment::right : Alignment::decimal;
+    std::vector<SheetWords> rows;
+    for (std::size_t i = 0; i < results.size(); ++i)
+        rows.push_back(sheetWords(evaluated, parts, results[i], i, write));
+    const Alignment alignment = alignmentOf(rows);
     const auto number = [&](const Text &title) {
         Column column = write.column(title, valueColumn, alignment);
         column.fitting = true;
@@ -249,24 +271,13 @@ Table sheetTable(const EvaluatedDocument &evaluated, const std::vector<TestPart>
     for (std::size_t i = 0; i < results.size(); ++i) {
         const SheetRow &row = head.sheet[i];
         const SheetResult &result = results[i];
-        const SheetWords words = sheetWords(evaluated, parts, result, i, write);
-        Cell object(QString::fromStdString(row.object));
-        if (row.from)
-            object.text.spans.push_back(
-                {(row.object.empty() ? QString() : QStringLiteral(" · ")) + words.source, false, false,
-                 true});
-        for (const std::string *note : {&row.standard, &row.remark, &row.notApplicable}) {
-            if (!note->empty())
-                object.extras.edit().notes.push_back({QString::fromStdString(*note)});
-        }
-        if (!words.reason.isEmpty())
-            object.extras.edit().notes.push_back({words.reason});
+        const SheetWords &words = rows[i];
         Cell verdict(words.state);
         verdict.mark = markOf(result.state);
         verdict.bold = result.state == SheetState::doesNotConform;
         table.rows.push_back(
-            {boldCell(QString::fromStdString(nameOf(row, i))), object, words.permitted, boldCell(words.value),
-             words.uncertainty, words.unit.isEmpty() ? blankCell() : Cell(words.unit),
+            {boldCell(QString::fromStdString(nameOf(row, i))), objectCell(row, words), words.permitted,
+             boldCell(words.value), words.uncertainty, words.unit.isEmpty() ? blankCell() : Cell(words.unit),
              row.instrument.empty() ? blankCell() : Cell(QString::fromStdString(row.instrument)),
              sheetPicture(result), verdict});
         const auto part =
