@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,9 @@ namespace palmer {
 /// Returns a value on one line, numbers in their shortest round-trip form.
 [[nodiscard]] std::string compactJson(const nlohmann::json &value);
 [[nodiscard]] std::string compactJson(const nlohmann::ordered_json &value);
+
+/// Returns null for a value that is absent or not finite.
+[[nodiscard]] nlohmann::ordered_json numberOrNull(std::optional<double> value);
 
 /// Returns the text of a file: keys in order (sorted, unless it is an ordered value), two spaces per level,
 /// arrays of numbers wrapped at about 100 columns, small objects on one line, a final line break. Throws

@@ -85,6 +85,10 @@ JsonMember jsonMember(std::string_view key, nlohmann::json value) {
             }};
 }
 
+nlohmann::ordered_json numberOrNull(std::optional<double> value) {
+    return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
 std::string compactJson(const nlohmann::json &value) {
     return printed(value, JsonPrinter::Form::oneLine);
 }

@@ -10,17 +10,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
 namespace palmer {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(std::optional<double> value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 template <class Enumeration>
 Json wordOrNull(std::optional<Enumeration> value) {
@@ -41,7 +35,7 @@ Json sideOf(const PlacedTest &placed, const QString &file) {
 Json listOf(const std::vector<std::optional<double>> &values) {
     Json list = Json::array();
     for (const std::optional<double> &value : values)
-        list.push_back(number(value));
+        list.push_back(numberOrNull(value));
     return list;
 }
 
@@ -56,11 +50,11 @@ Json comparisonKeys(const TestComparison &comparison, const PlacedTest &before, 
                               {"before", p.before},
                               {"after", p.after},
                               {"difference", p.difference},
-                              {"expandedUncertainty", number(p.uncertainty)},
-                              {"errorsAlone", number(p.errorsAlone)},
-                              {"repeatabilityAlone", number(p.repeatabilityAlone)},
-                              {"shift", number(p.shift)},
-                              {"En", number(p.enRatio)},
+                              {"expandedUncertainty", numberOrNull(p.uncertainty)},
+                              {"errorsAlone", numberOrNull(p.errorsAlone)},
+                              {"repeatabilityAlone", numberOrNull(p.repeatabilityAlone)},
+                              {"shift", numberOrNull(p.shift)},
+                              {"En", numberOrNull(p.enRatio)},
                               {"word", wordOrNull(p.word)}});
     Json curves = Json::array();
     for (const ComparedCurve &curve : comparison.curves)
@@ -75,7 +69,7 @@ Json comparisonKeys(const TestComparison &comparison, const PlacedTest &before, 
              {"before", shownParameter(one.id, one.before)},
              {"after", shownParameter(one.id, one.after)},
              {"difference", shownParameter(one.id, one.after) - shownParameter(one.id, one.before)},
-             {"expandedUncertainty", number(shownParameter(one.id, one.uncertainty))},
+             {"expandedUncertainty", numberOrNull(shownParameter(one.id, one.uncertainty))},
              {"unit", influence(one.id).unit}});
     Json paths = Json::array();
     for (const ComparedPath &path : comparedPaths(before, after)) {
@@ -105,7 +99,7 @@ Json comparisonKeys(const TestComparison &comparison, const PlacedTest &before, 
             {"refusal", wordOrNull(comparison.refusal)},
             {"noWord", wordOrNull(comparison.noWord)},
             {"word", wordOrNull(wordOfAll(comparison))},
-            {"tolerance", number(options.tolerance)},
+            {"tolerance", numberOrNull(options.tolerance)},
             {"commonTargets", comparison.commonTargets},
             {"cycles", comparison.cycles},
             {"simulated", comparison.simulated},

@@ -11,7 +11,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <functional>
 
 namespace palmer {
@@ -21,10 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double micrometres = 1000; ///< per millimetre
-
-Json number(std::optional<double> value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 Json sentencesJson(const std::vector<Message> &messages, const Language &language) {
     Json result = Json::array();
@@ -36,7 +31,8 @@ Json sentencesJson(const std::vector<Message> &messages, const Language &languag
 /// `shown` converts a value to the unit shown.
 template <class Shown>
 Json intervalJson(const std::optional<Interval> &interval, const Shown &shown) {
-    return interval ? Json{{"from", number(shown(interval->from))}, {"to", number(shown(interval->to))}}
+    return interval ? Json{{"from", numberOrNull(shown(interval->from))},
+                           {"to", numberOrNull(shown(interval->to))}}
                     : Json(nullptr);
 }
 
@@ -46,28 +42,28 @@ Json sourceJson(const Diagnosis &diagnosis, const SourceEstimate &source, const 
         with.push_back(sourceId(diagnosis.sources[other]));
     Json result{{"id", influence(source.id).word},
                 {"axis", source.axis == PlaneAxis::none ? Json(nullptr) : Json(source.axisName)},
-                {"value", number(source.value ? std::optional(shownParameter(source.id, *source.value))
-                                              : std::nullopt)},
-                {"u", source.interval() ? number(shownUncertainty(source)) : Json(nullptr)},
+                {"value", numberOrNull(source.value ? std::optional(shownParameter(source.id, *source.value))
+                                                    : std::nullopt)},
+                {"u", source.interval() ? numberOrNull(shownUncertainty(source)) : Json(nullptr)},
                 {"interval",
                  intervalJson(source.interval(), [&](double end) { return shownParameter(source.id, end); })},
                 {"unit", influence(source.id).unit},
-                {"contribution", number(source.contribution)},
+                {"contribution", numberOrNull(source.contribution)},
                 {"separable", source.separable},
                 {"with", std::move(with)},
                 {"reasons", sentencesJson(source.reasons, language)}};
     if (source.interval())
-        result["degreesOfFreedom"] = number(source.degreesOfFreedom);
+        result["degreesOfFreedom"] = numberOrNull(source.degreesOfFreedom);
     if (source.pitch)
         result["pitch"] = *source.pitch;
     if (source.phase)
-        result["phase"] = number(source.phase);
+        result["phase"] = numberOrNull(source.phase);
     if (source.width)
         result["width"] = *source.width;
     if (source.step)
-        result["step"] = number(*source.step * micrometres);
+        result["step"] = numberOrNull(*source.step * micrometres);
     if (source.proposed)
-        result["significance"] = number(source.significance);
+        result["significance"] = numberOrNull(source.significance);
     result["name"] = language.sentence(sourceName(source)).toStdString();
     result["text"] = language.sentence(sourceMeaning(diagnosis, source)).toStdString();
     const Message advice = sourceAdvice(diagnosis, source);
@@ -79,14 +75,15 @@ Json sourceJson(const Diagnosis &diagnosis, const SourceEstimate &source, const 
 Json sumJson(const Diagnosis &diagnosis, const SourceSum &sum) {
     Json of = Json::array();
     for (const SourceSum::Part &part : sum.of)
-        of.push_back({{"id", sourceId(diagnosis.sources[part.source])}, {"factor", number(part.factor)}});
+        of.push_back(
+            {{"id", sourceId(diagnosis.sources[part.source])}, {"factor", numberOrNull(part.factor)}});
     return {{"id", "sum"},
             {"of", std::move(of)},
-            {"value", number(sum.value)},
-            {"u", sum.interval ? number(sum.u) : Json(nullptr)},
+            {"value", numberOrNull(sum.value)},
+            {"u", sum.interval ? numberOrNull(sum.u) : Json(nullptr)},
             {"interval", intervalJson(sum.interval, std::identity())},
             {"unit", influence(diagnosis.sources[sum.of.front().source].id).unit},
-            {"contribution", number(sum.contribution)}};
+            {"contribution", numberOrNull(sum.contribution)}};
 }
 
 Json toJson(const Diagnosis &diagnosis, const Language &language) {
@@ -100,18 +97,18 @@ Json toJson(const Diagnosis &diagnosis, const Language &language) {
     const Rotation &rotation = diagnosis.rotation;
     return {{"rank", diagnosis.rank},
             {"of", diagnosis.of},
-            {"condition", number(diagnosis.condition)},
-            {"residual", number(diagnosis.residual)},
+            {"condition", numberOrNull(diagnosis.condition)},
+            {"residual", numberOrNull(diagnosis.residual)},
             {"points", diagnosis.points},
-            {"readingsPerIndependent", number(diagnosis.readingsPerIndependent)},
+            {"readingsPerIndependent", numberOrNull(diagnosis.readingsPerIndependent)},
             {"modelFits", diagnosis.modelFits},
             {"reasons", sentencesJson(diagnosis.reasons, language)},
-            {"rotation", rotation.angle ? Json{{"angle", number(rotation.angle)},
-                                               {"u", number(rotation.u)},
-                                               {"bound", number(rotation.bound)},
+            {"rotation", rotation.angle ? Json{{"angle", numberOrNull(rotation.angle)},
+                                               {"u", numberOrNull(rotation.u)},
+                                               {"bound", numberOrNull(rotation.bound)},
                                                {"stated", rotation.isStated()}}
                                         : Json(nullptr)},
-            {"lagAngle", number(diagnosis.lagAngle)},
+            {"lagAngle", numberOrNull(diagnosis.lagAngle)},
             {"sources", std::move(sources)},
             {"remarks", sentencesJson(diagnosis.remarks, language)}};
 }

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 
 namespace palmer {
@@ -27,10 +26,6 @@ namespace palmer {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(std::optional<double> value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 Json verdictWord(std::optional<Verdict> verdict) {
     return verdict ? Json(fileWord(*verdict)) : Json(nullptr);
@@ -65,7 +60,7 @@ Json target(double position, const TargetStatistics &statistics, double c) {
     Json result{
         {"target", position}, {"nPositive", statistics.positive.n}, {"nNegative", statistics.negative.n}};
     for (const Key &row : keys)
-        result[row.key] = number(targetValue(row.id, statistics, c));
+        result[row.key] = numberOrNull(targetValue(row.id, statistics, c));
     return result;
 }
 
@@ -113,7 +108,8 @@ Json uncertainty(const UncertaintyEvaluation &evaluation) {
     Json contributions = Json::array();
     if (usesContributions(evaluation.method)) {
         for (const Contribution &contribution : evaluation.contributions)
-            contributions.push_back({{"id", contribution.id}, {"value", number(contribution.expanded)}});
+            contributions.push_back(
+                {{"id", contribution.id}, {"value", numberOrNull(contribution.expanded)}});
     }
     return {{"method", fileWord(evaluation.method)}, {"contributions", std::move(contributions)}};
 }
@@ -132,7 +128,7 @@ Json agreedLimits(const Test &source, const TestEvaluation &evaluation) {
     Json list = Json::array();
     for (const AgreedLimit &agreed : evaluation.limits)
         list.push_back({{"key", agreed.key},
-                        {"value", number(agreed.limit.value)},
+                        {"value", numberOrNull(agreed.limit.value)},
                         {"unit", axis && axis->motion == Motion::rotary ? "deg" : "mm"},
                         {"state", fileWord(agreed.state)},
                         {"reason", agreed.reason ? Json(fileWord(*agreed.reason)) : Json(nullptr)},
@@ -181,7 +177,7 @@ Json ownResults(const CircularMeasurement & /*measurement*/, const CircularResul
                 const UncertaintyEvaluation &evaluation) {
     return {{"circles", circles(results)},
             {"uncertainty", uncertainty(evaluation)},
-            {"correction", number(results.correction)}};
+            {"correction", numberOrNull(results.correction)}};
 }
 
 /// The share of U that the drift of a test explains, and what another one would make of it; null: none.
@@ -200,12 +196,12 @@ Json driftOf(const EvaluatedDocument &evaluated, std::size_t index) {
             const bool isKnown = one.expanded[i] && without && *one.expanded[i] > 0;
             const double ratio = isKnown ? *without / *one.expanded[i] : 1;
             values.push_back({{"id", explained.parameters[i]},
-                              {"expandedUncertainty", number(one.expanded[i])},
+                              {"expandedUncertainty", numberOrNull(one.expanded[i])},
                               {"share", isKnown ? Json(1 - ratio * ratio) : Json(nullptr)}});
         }
         cases.push_back({{"kind", kinds.at(one.kind)},
                          {"heldTo", one.kind == DriftCase::held ? Json(one.hold) : Json(nullptr)},
-                         {"duration", number(one.lasts)},
+                         {"duration", numberOrNull(one.lasts)},
                          {"variation", one.variation},
                          {"isLowerBound", one.isLowerBound},
                          {"parameters", std::move(values)}});
@@ -216,7 +212,7 @@ Json driftOf(const EvaluatedDocument &evaluated, std::size_t index) {
 /// mm or degrees per °C, and s; without values where the data carry no response.
 Json responseOf(const ThermalResponse &response, const DriftTemperature &temperature, bool best) {
     const bool found = response.state == ResponseState::found;
-    const auto value = [&](std::optional<double> one) { return found ? number(one) : Json(nullptr); };
+    const auto value = [&](std::optional<double> one) { return found ? numberOrNull(one) : Json(nullptr); };
     const auto range = [&](const Range &one) { return Json{value(one.low), value(one.high)}; };
     return {{"temperature", temperature.measures},
             {"state", fileWord(response.state)},
@@ -228,13 +224,13 @@ Json responseOf(const ThermalResponse &response, const DriftTemperature &tempera
             {"slope", value(response.slope)},
             {"slopeInterval", range(response.slopeRange)},
             {"residual", value(response.residual)},
-            {"warmUp", found ? number(response.warmUp(withGaps(temperature.values))) : Json(nullptr)},
+            {"warmUp", found ? numberOrNull(response.warmUp(withGaps(temperature.values))) : Json(nullptr)},
             {"count", response.count}};
 }
 
 Json ownResults(const DriftMeasurement &measurement, const DriftResults &results,
                 const UncertaintyEvaluation & /*evaluation*/) {
-    Json own{{"range", number(results.range)},
+    Json own{{"range", numberOrNull(results.range)},
              {"unit", measurement.axis.motion == Motion::rotary ? "deg" : "mm"}};
     if (measurement.channels.empty() && measurement.temperatures.empty())
         return own;
@@ -245,7 +241,7 @@ Json ownResults(const DriftMeasurement &measurement, const DriftResults &results
             responses.push_back(responseOf(one.responses[i], measurement.temperatures[i], one.best == i));
         channels.push_back({{"name", one.channel.name},
                             {"unit", one.channel.quantity == ChannelQuantity::deviation ? "mm" : "deg"},
-                            {"range", one.whole ? number(one.whole->value) : Json(nullptr)},
+                            {"range", one.whole ? numberOrNull(one.whole->value) : Json(nullptr)},
                             {"responses", std::move(responses)}});
     }
     own["channels"] = std::move(channels);
@@ -306,8 +302,8 @@ void printTest(JsonPrinter &printer, const Place &place, const EvaluatedDocument
 }
 
 Json permittedJson(const Permitted &permitted) {
-    return permitted.low ? Json::array({number(permitted.low), number(permitted.high)})
-                         : number(permitted.high);
+    return permitted.low ? Json::array({numberOrNull(permitted.low), numberOrNull(permitted.high)})
+                         : numberOrNull(permitted.high);
 }
 
 Json sheetJson(const EvaluatedDocument &evaluated, const Language &language) {
@@ -321,9 +317,9 @@ Json sheetJson(const EvaluatedDocument &evaluated, const Language &language) {
             {{"number", textOrNull(row.number)},
              {"object", textOrNull(row.object)},
              {"permitted", permittedJson(result.permitted)},
-             {"measured", number(result.value)},
-             {"uncertainty", number(result.uncertainty)},
-             {"guardBand", number(result.guardBand)},
+             {"measured", numberOrNull(result.value)},
+             {"uncertainty", numberOrNull(result.uncertainty)},
+             {"guardBand", numberOrNull(result.guardBand)},
              {"unit",
               result.parameter ? Json(resultUnit(result.parameter->term.quantity)) : textOrNull(row.unit)},
              {"state", fileWord(result.state)},

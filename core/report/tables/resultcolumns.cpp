@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/tables/resultcolumns.h"
 
+#include "document/json.h"
 #include "document/resultwords.h"
 #include "kernel/evaluation/coverage.h"
 #include "report/words/formula.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace palmer {
@@ -17,10 +17,6 @@ namespace palmer {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json numberOrNull(std::optional<double> value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 Json wordOrNull(std::string_view word) {
     return word.empty() ? Json(nullptr) : Json(std::string(word));
