@@ -14,7 +14,7 @@ namespace palmer {
 namespace {
 
 // clang-format off
-constexpr std::array rows{
+constexpr std::array formats{
     JsonFormat{"results", "palmer results", 1, "palmer-results", "evaluate --json"},
     JsonFormat{"findings", "palmer findings", 1, "palmer-results", "check --json"},
     JsonFormat{"readings", "palmer results", 1, "palmer-results", "export --as json"},
@@ -42,12 +42,12 @@ constexpr std::array rows{
 } // namespace
 
 std::span<const JsonFormat> jsonFormats() {
-    return rows;
+    return formats;
 }
 
 const JsonFormat *findJsonFormat(std::string_view name) {
-    const auto found = std::ranges::find(rows, name, &JsonFormat::name);
-    return found == rows.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(formats, name, &JsonFormat::name);
+    return found == formats.end() ? nullptr : &*found;
 }
 
 std::string schemaFile(const JsonFormat &format) {

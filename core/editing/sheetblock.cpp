@@ -21,27 +21,31 @@ constexpr Text tooLong = REPORT_TEXT("report", "this text is too long");
 constexpr Text noNumber = REPORT_TEXT("report", "not a number");
 
 /// Words of headings, without capitals and signs.
-struct Heading {
+struct SheetHeading {
     SheetColumn column;
     std::array<const char16_t *, 6> words;
 };
 constexpr std::array headings{
-    Heading{SheetColumn::number, {u"n", u"no", u"nr", u"number", u"numéro", u"row"}},
-    Heading{SheetColumn::object, {u"object", u"objet", u"check", u"contrôle", u"prüfung", u"description"}},
-    Heading{SheetColumn::permitted,
-            {u"tolerance", u"tolérance", u"permitted", u"limit", u"limite", u"toleranz"}},
-    Heading{SheetColumn::measured, {u"measured", u"mesuré", u"mesurée", u"value", u"valeur", u"messwert"}},
-    Heading{SheetColumn::uncertainty, {u"u", u"uk2", u"uncertainty", u"incertitude", u"unsicherheit", u"uu"}},
-    Heading{SheetColumn::unit, {u"unit", u"unité", u"einheit", u"units", u"unités", u"dimension"}},
-    Heading{SheetColumn::instrument,
-            {u"instrument", u"instruments", u"device", u"appareil", u"messmittel", u"moyen"}},
-    Heading{SheetColumn::remark, {u"remark", u"remarque", u"remarks", u"remarques", u"note", u"bemerkung"}},
-    Heading{SheetColumn::standard, {u"standard", u"norme", u"norm", u"source", u"origine", u"clause"}}};
+    SheetHeading{SheetColumn::number, {u"n", u"no", u"nr", u"number", u"numéro", u"row"}},
+    SheetHeading{SheetColumn::object,
+                 {u"object", u"objet", u"check", u"contrôle", u"prüfung", u"description"}},
+    SheetHeading{SheetColumn::permitted,
+                 {u"tolerance", u"tolérance", u"permitted", u"limit", u"limite", u"toleranz"}},
+    SheetHeading{SheetColumn::measured,
+                 {u"measured", u"mesuré", u"mesurée", u"value", u"valeur", u"messwert"}},
+    SheetHeading{SheetColumn::uncertainty,
+                 {u"u", u"uk2", u"uncertainty", u"incertitude", u"unsicherheit", u"uu"}},
+    SheetHeading{SheetColumn::unit, {u"unit", u"unité", u"einheit", u"units", u"unités", u"dimension"}},
+    SheetHeading{SheetColumn::instrument,
+                 {u"instrument", u"instruments", u"device", u"appareil", u"messmittel", u"moyen"}},
+    SheetHeading{SheetColumn::remark,
+                 {u"remark", u"remarque", u"remarks", u"remarques", u"note", u"bemerkung"}},
+    SheetHeading{SheetColumn::standard, {u"standard", u"norme", u"norm", u"source", u"origine", u"clause"}}};
 
 std::optional<SheetColumn> columnOfWord(const QString &cell) {
     static const QRegularExpression signs(QStringLiteral("[^\\p{L}\\p{N}]"));
     const QString word = cell.toLower().remove(signs);
-    for (const Heading &heading : headings) {
+    for (const SheetHeading &heading : headings) {
         if (std::ranges::any_of(heading.words,
                                 [&](const char16_t *known) { return word == QStringView(known); }))
             return heading.column;
@@ -120,7 +124,7 @@ bool isOfTest(SheetColumn column) {
     return column >= SheetColumn::permitted && column <= SheetColumn::unit;
 }
 
-QStringList cellsOf(const CellTable &table, const TableRow &row) {
+QStringList trimmedCells(const CellTable &table, const TableRow &row) {
     QStringList cells;
     for (const TableCell &cell : table.cells(row))
         cells << QString::fromUtf8(table.text(cell)).trimmed();
@@ -261,7 +265,7 @@ PastedSheet pasteSheet(std::vector<SheetRow> rows, std::size_t first, SheetColum
     Columns columns;
     QString unit;
     for (const TableRow &row : table.rows()) {
-        const QStringList cells = cellsOf(table, row);
+        const QStringList cells = trimmedCells(table, row);
         if (columns.empty()) {
             columns = columnsNamed(cells);
             if (!columns.empty()) {

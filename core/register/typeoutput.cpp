@@ -76,9 +76,9 @@ Json statisticsJson(const TypeTest &test) {
          {{"values", normalityJson(values.normality)}, {"logarithms", normalityJson(values.logNormality)}}}};
 }
 
-class Composer {
+class TypeReport {
 public:
-    Composer(const TypeTest &test, const Language &language)
+    TypeReport(const TypeTest &test, const Language &language)
         : m_test(test)
         , m_language(language)
         , m_quantity(test.angular ? Quantity::angularDeviation : Quantity::deviation) {}
@@ -380,7 +380,7 @@ LineFigure quantileFigure(const TypeTest &test, bool logarithms, const Language 
 }
 
 Report composeTypeTest(const TypeTest &test, const Language &language, bool onPaper) {
-    return Composer(test, language).compose(onPaper);
+    return TypeReport(test, language).compose(onPaper);
 }
 
 } // namespace palmer

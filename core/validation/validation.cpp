@@ -79,7 +79,7 @@ Found contributionOf(const Evaluated &e) {
     return found == all.end() ? Found{} : Found{found->expanded};
 }
 
-Found driftOf(const Evaluated &e) {
+Found driftFound(const Evaluated &e) {
     if (const auto *drift = std::get_if<DriftResults>(&e.test->results))
         return {drift->range};
     const auto *results = std::get_if<PositioningResults>(&e.test->results);
@@ -235,8 +235,8 @@ Found typeFound(const Evaluated &e) {
 }
 
 /// By kind of expectation; those from the trends on need no test.
-constexpr std::array ways{parameterOf, statisticOf,     contributionOf, driftOf,  correctionOf,
-                          influenceOf, comparisonFound, compensationOf, trendOf,  feedOf,
+constexpr std::array ways{parameterOf, statisticOf,     contributionOf, driftFound, correctionOf,
+                          influenceOf, comparisonFound, compensationOf, trendOf,    feedOf,
                           circleOf,    sheetFound,      responseFound,  typeFound};
 
 /// With an unknown edition the test's own would be used: make no comparison.

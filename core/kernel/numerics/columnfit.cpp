@@ -20,7 +20,8 @@ ColumnFit columnFit(const Eigen::MatrixXd &columns, const Eigen::VectorXd &b, do
 
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
     const Eigen::MatrixXd triangle = qr.matrixQR().topRows(p).triangularView<Eigen::Upper>();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(triangle, Eigen::ComputeFullU |
+                                                                                         Eigen::ComputeFullV);
     const Eigen::VectorXd &singular = svd.singularValues();
     Eigen::Index rank = 0;
     while (rank < p && singular[rank] > rankTolerance * singular[0] && singular[rank] > 0)

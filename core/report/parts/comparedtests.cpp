@@ -152,7 +152,7 @@ QString instrumentsOf(const PlacedTest &placed) {
 
 /// "11", and the first of them that the other test does not have.
 QString targetsOf(const PositioningMeasurement &m, const PlacedTest &other, const Writer &write) {
-    constexpr qsizetype mostNamed = 4;
+    constexpr qsizetype mostAlone = 4;
     const Quantity quantity = m.axis.motion == Motion::linear ? Quantity::position : Quantity::angle;
     const auto *theirs = std::get_if<PositioningMeasurement>(&other.test().measurement);
     QStringList alone;
@@ -161,8 +161,8 @@ QString targetsOf(const PositioningMeasurement &m, const PlacedTest &other, cons
         if (theirs && std::ranges::none_of(theirs->targets, isSame))
             alone << write.language().quantity(target, quantity);
     }
-    if (alone.size() > mostNamed)
-        alone = alone.mid(0, mostNamed) << QStringLiteral("…");
+    if (alone.size() > mostAlone)
+        alone = alone.mid(0, mostAlone) << QStringLiteral("…");
     const QString count = write.language().number(static_cast<double>(m.targets.size()), Quantity::count, 0);
     return alone.isEmpty() ? count
                            : write.say(REPORT_TEXT("report", "%1, not in the other test: %2"),

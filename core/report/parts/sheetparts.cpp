@@ -14,8 +14,6 @@ namespace palmer {
 
 namespace {
 
-constexpr qsizetype mostNamed = 6; ///< rows named in the verdict
-
 /// The numbers of a row as printed: those of the user as entered, those of a result as in its test.
 struct SheetNumbers {
     QString permitted;

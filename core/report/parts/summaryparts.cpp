@@ -21,14 +21,12 @@ namespace {
 // Widths around those of the result columns, mm.
 constexpr double leastNumberWidth = 5;
 constexpr double numberPadding = 2.3;
-constexpr double digitWidth = 1.7;
+constexpr double numberDigit = 1.7;
 constexpr double testWidth = 38.2;
 constexpr double unitWidth = 5.6; ///< used if units differ between tests
 constexpr double unitGap = 0.3;   ///< before the number
 constexpr double pictureGap = 2.3;
 constexpr double pageWidth = 9.2;
-
-constexpr std::size_t mostNamed = 6; ///< results named in the verdict
 
 bool counts(const TestPart &part) {
     return countsForVerdict(part.document(), part.index);
@@ -157,7 +155,7 @@ private:
     /// The width of the column of the tests' numbers, which never wrap.
     [[nodiscard]] double numberWidth() const {
         const auto digits = static_cast<double>(std::to_string(m_parts.size()).size());
-        return std::max(leastNumberWidth, numberPadding + digits * digitWidth);
+        return std::max(leastNumberWidth, numberPadding + digits * numberDigit);
     }
 
     [[nodiscard]] Column columnInSummary(const ResultColumn &column) const {
@@ -377,7 +375,8 @@ public:
 
     [[nodiscard]] Phrase take() const {
         Phrase result;
-        for (const Named &named : std::span(m_results).first(std::min(m_results.size(), mostNamed))) {
+        for (const Named &named :
+             std::span(m_results).first(std::min(m_results.size(), std::size_t{mostNamed}))) {
             if (!result.spans.empty())
                 result.spans.push_back({QStringLiteral(", ")});
             result += named.symbol;
@@ -385,7 +384,7 @@ public:
             words = joined({words, named.reason}, m_write.semicolon());
             result.spans.push_back({QStringLiteral(" (") + words + u')'});
         }
-        if (m_results.size() > mostNamed)
+        if (std::ssize(m_results) > mostNamed)
             result.spans.push_back({QStringLiteral(", …")});
         return result;
     }

@@ -18,6 +18,8 @@ namespace palmer {
 // Page dimensions and decimals shared by the parts of a report.
 inline constexpr double textWidth = 175; ///< mm
 inline constexpr double figureGap = 5;   ///< mm between a figure and the column next to it
+inline constexpr double percent = 100;
+inline constexpr qsizetype mostNamed = 6; ///< results or rows named in a verdict
 inline constexpr int temperatureDecimals = 1;
 inline constexpr int expansionDecimals = 1; ///< of α
 

@@ -22,7 +22,6 @@ constexpr double hour = 3600;
 constexpr double longRecord = 2 * hour; ///< from which on times are in hours
 constexpr double mostTimeTicks = 8;
 constexpr double mostValueTicks = 5;
-constexpr double percent = 100;
 constexpr std::array channelRoles{LineRole::machine, LineRole::instrument, LineRole::air,
                                   LineRole::measuredDown};
 

@@ -20,8 +20,6 @@ namespace palmer {
 
 namespace {
 
-constexpr double percent = 100;
-
 /// Capitalised, with the index of E_VE as a subscript.
 Phrase nameOf(const Writer &write, const Contribution &contribution) {
     QString name = contributionName(contribution, write.language());
