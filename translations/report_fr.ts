@@ -3654,16 +3654,16 @@
         <translation>incertitude type de la température de l’instrument</translation>
     </message>
     <message>
-        <source>temperature θ of the machine</source>
-        <translation>température θ de la machine</translation>
+        <source>temperature θ of the machine at start and end</source>
+        <translation>température θ de la machine au début et à la fin</translation>
     </message>
     <message>
         <source>standard uncertainty of the coefficient of expansion of the machine</source>
         <translation>incertitude type du coefficient de dilatation de la machine</translation>
     </message>
     <message>
-        <source>temperature θ of the instrument</source>
-        <translation>température θ de l’instrument</translation>
+        <source>temperature θ of the instrument at start and end</source>
+        <translation>température θ de l’instrument au début et à la fin</translation>
     </message>
     <message>
         <source>standard uncertainty of the coefficient of expansion of the instrument</source>
@@ -3710,8 +3710,8 @@
         <translation>étendue R(α) du coefficient de dilatation de l’instrument</translation>
     </message>
     <message>
-        <source>length L above 0</source>
-        <translation>longueur L supérieure à 0</translation>
+        <source>length L, which must be above 0</source>
+        <translation>longueur L, qui doit être supérieure à 0</translation>
     </message>
     <message>
         <source>instrument, calibration certificate</source>

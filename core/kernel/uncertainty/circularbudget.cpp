@@ -172,10 +172,11 @@ private:
                                 inputs::thetaOfInstrument));
         }
         const auto &[uAlphaMachine, uAlphaInstrument] = m_inputs.expansionStandardUncertainty;
-        add(expansionTerm(read, machine, uAlphaMachine, REPORT_TEXT("report", "temperature θ of the machine"),
+        add(expansionTerm(read, machine, uAlphaMachine,
+                          REPORT_TEXT("report", "temperature θ of the machine at start and end"),
                           inputs::alphaOfMachine));
         add(expansionTerm(read, instrument, uAlphaInstrument,
-                          REPORT_TEXT("report", "temperature θ of the instrument"),
+                          REPORT_TEXT("report", "temperature θ of the instrument at start and end"),
                           inputs::alphaOfInstrument));
 
         constexpr double parts = 1e-6; // α is in µm/(m·°C)

@@ -44,13 +44,13 @@ constexpr std::array bodies{
     Body{"temperatureMachine", REPORT_TEXT("report", "temperature of the machine"), "expansionMachine",
          REPORT_TEXT("report", "coefficient of expansion of the machine"), SensorMeasures::machine,
          &MachineAndInstrument::machine, &Expansion::machine,
-         REPORT_TEXT("report", "temperature θ of the machine"),
+         REPORT_TEXT("report", "temperature θ of the machine at start and end"),
          REPORT_TEXT("report", "coefficient of expansion α of the machine"), inputs::thetaRangeMachine,
          inputs::alphaRangeMachine},
     Body{"temperatureInstrument", REPORT_TEXT("report", "temperature of the instrument"),
          "expansionInstrument", REPORT_TEXT("report", "coefficient of expansion of the instrument"),
          SensorMeasures::instrument, &MachineAndInstrument::instrument, &Expansion::instrument,
-         REPORT_TEXT("report", "temperature θ of the instrument"),
+         REPORT_TEXT("report", "temperature θ of the instrument at start and end"),
          REPORT_TEXT("report", "coefficient of expansion α of the instrument"), inputs::thetaRangeInstrument,
          inputs::alphaRangeInstrument},
 };
@@ -61,7 +61,7 @@ double readable(double value) {
     return std::isfinite(value) ? std::round(value * places) / places : 0;
 }
 
-constexpr Text lengthName = REPORT_TEXT("report", "length L above 0");
+constexpr Text lengthName = REPORT_TEXT("report", "length L, which must be above 0");
 
 /// Builds the budget. Sizes are in µm (rotary: arc seconds) until stored.
 class PositioningBudgetMaker {
@@ -101,6 +101,10 @@ private:
         return {value, m_linear ? Quantity::micrometres : Quantity::arcSeconds};
     }
     static Number factor(double value) { return {value, Quantity::number}; }
+    /// A dash for a factor that is not stated, which a stated 0 beside it allows.
+    static Argument stated(std::optional<double> value, Quantity quantity) {
+        return value ? Argument(Number{*value, quantity}) : Argument(std::string("–"));
+    }
 
     void store(Contribution contribution, double expanded) {
         if (contribution.defects.empty() && std::isfinite(expanded))
@@ -211,8 +215,8 @@ private:
         if (width > 0 && alpha != 0)
             expanded = rectangularFactor * std::abs(alpha) * lengthFor(read) / mmPerMetre * width;
         result.inputs = {REPORT_TEXT("report", "%1 · %2 · %3 m · %4"),
-                         {factor(rectangularFactor), Number{alpha, Quantity::expansion}, metres(),
-                          Number{width, Quantity::temperature}}};
+                         {factor(rectangularFactor), stated(alphaOf(body), Quantity::expansion), metres(),
+                          stated(range, Quantity::temperature)}};
         store(std::move(result), expanded);
     }
 
@@ -229,6 +233,8 @@ private:
         const auto theta = fartherTemperature(m_measurement.conditions.common, body.sensor);
         double expanded = 0;
         double width = range.value_or(0);
+        const auto distance =
+            theta ? std::optional(readable(std::abs(*theta - referenceTemperature))) : std::nullopt;
         double away = theta ? std::abs(*theta - referenceTemperature) : 0;
         if (range || !(theta && away == 0))
             width = read.size(range, "expansionRange", body.expansionRange);
@@ -237,8 +243,8 @@ private:
         if (width > 0 && away > 0)
             expanded = rectangularFactor * away * lengthFor(read) / mmPerMetre * width;
         result.inputs = {REPORT_TEXT("report", "%1 · %2 · %3 m · %4"),
-                         {factor(rectangularFactor), Number{readable(away), Quantity::temperature}, metres(),
-                          Number{width, Quantity::expansion}}};
+                         {factor(rectangularFactor), stated(distance, Quantity::temperature), metres(),
+                          stated(range, Quantity::expansion)}};
         store(std::move(result), expanded);
     }
 
