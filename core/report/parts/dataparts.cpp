@@ -678,6 +678,7 @@ QString reasonsOfDifferences(const TestPart &part) {
         std::map<double, double> values; // by factor
         QString symbol;
         bool isDefined = false;
+        bool isOther = false; // a counterpart of another definition, or with another estimate of s
         for (const EditionColumn &column : columns) {
             const auto &parameters = column.evaluation->parameters;
             const auto found = std::ranges::find_if(
@@ -687,10 +688,12 @@ QString reasonsOfDifferences(const TestPart &part) {
             symbol = symbol.isEmpty() ? symbolPhrase(*found).plain() : symbol;
             const auto [known, isNew] = values.try_emplace(column.edition->c, *found->value);
             isDefined |= std::abs(known->second - *found->value) > equal;
+            isOther |= parameterId(*found) != row ||
+                       deviationMethod(*column.evaluation) != deviationMethod(*columns.front().evaluation);
         }
         const bool differs = std::ranges::any_of(
             values, [&](const auto &each) { return std::abs(each.second - values.begin()->second) > equal; });
-        if (isDefined)
+        if (isDefined || (differs && isOther))
             byDefinition << symbol;
         else if (differs)
             byFactor << symbol;

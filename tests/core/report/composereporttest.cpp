@@ -1464,6 +1464,25 @@ private slots:
         QVERIFY(pageText(composed).contains("Fin du rapport"));
     }
 
+    /// Ū and P are other definitions, not other factors.
+    void counterpartsDifferByDefinition() {
+        Document changed = *document("limits-2006");
+        Test test = *changed.tests[0];
+        auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+        for (Run &run : measurement.runs) {
+            if (run.approach == Direction::positive && run.deviations[0])
+                *run.deviations[0] -= 0.05; // B changes its sign, so that B̄ is not Ū
+        }
+        changed.tests = {std::make_shared<const Test>(test)};
+        changed.report.editions = {"VDI/DGQ 3441:1977"};
+        const QString all =
+            pageText(report(std::make_shared<const Document>(changed), Language(Language::Id::english)));
+        QVERIFY(!all.contains("Differences by the factor of s"));
+        const qsizetype at = all.indexOf("Differences by the definitions of the editions: ");
+        QVERIFY(at >= 0);
+        QVERIFY(all.mid(at).section('\n', 0, 0).contains("B̄"));
+    }
+
     /// One further edition already makes a table.
     void editionsStandSideBySide() {
         Document both = *document("iso230-2-1988-example");
