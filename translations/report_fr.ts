@@ -4650,6 +4650,10 @@
         <translation>Décalage de la moyenne</translation>
     </message>
     <message>
+        <source>The methods differ by more than 20 % for %1.</source>
+        <translation>Les méthodes diffèrent de plus de 20&#xa0;% pour %1.</translation>
+    </message>
+    <message>
         <source>The methods differ by more than 20 % for %1; reason: see the findings.</source>
         <translation>Les méthodes diffèrent de plus de 20&#xa0;% pour %1&#x202f;; raison&#xa0;: voir les constats.</translation>
     </message>

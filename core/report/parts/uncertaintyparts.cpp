@@ -331,8 +331,10 @@ QString methodText(const TestPart &part, std::optional<int> before) {
                 {Number{roundedUp(spread, part), deviationQuantity(part.test), contributionDecimals}});
         if (!differing.isEmpty())
             words << write.say(
-                REPORT_TEXT("report",
-                            "The methods differ by more than 20 % for %1; reason: see the findings."),
+                part.leavesOut(ReportPart::findings)
+                    ? REPORT_TEXT("report", "The methods differ by more than 20 % for %1.")
+                    : REPORT_TEXT("report", "The methods differ by more than 20 % for %1; reason: see the "
+                                            "findings."),
                 differing);
     }
     const bool trusted = !uncertainty.simulation || uncertainty.simulation->mayDecide();

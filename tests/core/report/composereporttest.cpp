@@ -1522,6 +1522,10 @@ private slots:
             pageText(report(std::make_shared<const Document>(many), Language(Language::Id::english)));
         QCOMPARE(all.count("otherwise as for test 2."), 2);
         QVERIFY(!all.contains("otherwise as for test 1."));
+        QVERIFY(all.contains("reason: see the findings."));
+        many.report.leaveOut = {ReportPart::findings};
+        QVERIFY(!pageText(report(std::make_shared<const Document>(many), Language(Language::Id::english)))
+                     .contains("see the findings"));
     }
 };
 
