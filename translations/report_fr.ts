@@ -2507,6 +2507,10 @@
         <translation>Écart de circularité G, %1</translation>
     </message>
     <message>
+        <source>Circular deviation Gf, %1</source>
+        <translation>Écart de circularité Gf, %1</translation>
+    </message>
+    <message>
         <source>Actual path, %1</source>
         <translation>Trajectoire réelle, %1</translation>
     </message>
@@ -2525,6 +2529,14 @@
     <message>
         <source>about the centre of the minimum zone of %1</source>
         <translation>autour du centre de la zone minimale de %1</translation>
+    </message>
+    <message>
+        <source>about the centre of the minimum zone of both paths</source>
+        <translation>autour du centre de la zone minimale des deux trajectoires</translation>
+    </message>
+    <message>
+        <source>about the centre of the least squares circle of both paths</source>
+        <translation>autour du centre du cercle des moindres carrés des deux trajectoires</translation>
     </message>
     <message>
         <source>about the centre of the least squares circle of %1</source>
@@ -3936,6 +3948,14 @@
     <message>
         <source>Circle, G, G(b)</source>
         <translation>Cercle, G, G(b)</translation>
+    </message>
+    <message>
+        <source>Circle, G, H</source>
+        <translation>Cercle, G, H</translation>
+    </message>
+    <message>
+        <source>both paths</source>
+        <translation>les deux trajectoires</translation>
     </message>
     <message>
         <source>Centre, F</source>

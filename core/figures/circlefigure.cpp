@@ -440,6 +440,11 @@ Interval reach(const CircleFigure &figure, std::span<const PathProfile> profiles
     return range;
 }
 
+/// "G", "G(b)f": without the axes.
+std::string nameOf(const Parameter &parameter) {
+    return std::string(parameter.term.symbol.base) + parameter.term.symbol.subscript;
+}
+
 /// Label of a limit (mm), with the digits it was entered with.
 QString limitLabel(const std::string &of, double limit, const Language &language) {
     const int decimals = limitDecimals(limit, Quantity::deviation, language.units());
@@ -470,7 +475,7 @@ void addEnvelope(CircleFigure &figure, const CircleSource &source, const Languag
         envelope.limit = *shown->limit->value * micrometresPerMillimetre;
         if (shown->verdict && shown->guardBand)
             envelope.guard = *shown->guardBand * micrometresPerMillimetre;
-        envelope.limitLabel = limitLabel(shown->term.symbol.base, *shown->limit->value, language);
+        envelope.limitLabel = limitLabel(nameOf(*shown), *shown->limit->value, language);
     }
     figure.envelope = envelope;
 }
@@ -626,7 +631,9 @@ Text titleText(const CircleSource &source, std::size_t paths) {
     if (source.radial())
         return REPORT_TEXT("report", "Radial deviation F, %1");
     if (source.options.of != CircleOf::both)
-        return REPORT_TEXT("report", "Circular deviation G, %1");
+        return source.measurement.source == SignalSource::feedback
+                   ? REPORT_TEXT("report", "Circular deviation Gf, %1")
+                   : REPORT_TEXT("report", "Circular deviation G, %1");
     return paths == 1 ? REPORT_TEXT("report", "Actual path, %1") : REPORT_TEXT("report", "Actual paths");
 }
 
@@ -635,12 +642,16 @@ Message centreText(const CircleSource &source) {
         return {REPORT_TEXT("report", "about the centre of the set-up"), {}, {}};
     if (!source.circle())
         return {REPORT_TEXT("report", "about the programmed centre"), {}, {}};
-    const Parameter *shown = source.radial() ? source.parameter("Fmax") : source.circularDeviation();
-    const std::string symbol = source.radial() || !shown ? "F" : shown->term.symbol.base;
-    return {source.circle()->kind == ReferenceCircle::minimumZone
-                ? REPORT_TEXT("report", "about the centre of the minimum zone of %1")
-                : REPORT_TEXT("report", "about the centre of the least squares circle of %1"),
-            {symbol},
+    const bool isZone = source.circle()->kind == ReferenceCircle::minimumZone;
+    const Parameter *shown = source.circularDeviation();
+    if (!source.radial() && !shown) // the edition has no G(b)
+        return {isZone ? REPORT_TEXT("report", "about the centre of the minimum zone of both paths")
+                       : REPORT_TEXT("report", "about the centre of the least squares circle of both paths"),
+                {},
+                {}};
+    return {isZone ? REPORT_TEXT("report", "about the centre of the minimum zone of %1")
+                   : REPORT_TEXT("report", "about the centre of the least squares circle of %1"),
+            {source.radial() ? std::string("F") : nameOf(*shown)},
             {}};
 }
 

@@ -27,6 +27,13 @@ QString axisName(const std::string &name) {
     return QString::fromStdString(name.empty() ? "–" : name);
 }
 
+/// True if the edition has G(b); that of 1996 has not.
+bool hasPair(const CircularPart &part) {
+    return std::ranges::any_of(part.evaluation.parameters, [](const Parameter &parameter) {
+        return std::string_view(parameter.term.symbol.base) == "G(b)";
+    });
+}
+
 // ---- The parameters of the test --------------------------------------------------------------------------
 
 /// One text if it is the same for all paths, otherwise one per path in the order of measurement.
@@ -173,7 +180,9 @@ KeyValues parameterRows(const CircularPart &part) {
     rows.add(REPORT_TEXT("report", "Start, stop"), startAndStop(part));
     rows.add(REPORT_TEXT("report", "Smoothing"), conditions.smoothing);
     rows.add(REPORT_TEXT("report", "Compensation"), common.compensation);
-    rows.add(REPORT_TEXT("report", "Circle, G, G(b)"), circleKind(part, measurement.referenceCircle));
+    rows.add(hasPair(part) || part.results.paths.size() < 2 ? REPORT_TEXT("report", "Circle, G, G(b)")
+                                                            : REPORT_TEXT("report", "Circle, G, H"),
+             circleKind(part, measurement.referenceCircle));
     if (external && part.asksFor(OfCircle::radialDeviation))
         rows.add(REPORT_TEXT("report", "Centre, F"),
                  write.text(measurement.centring == Centring::leastSquares
@@ -243,6 +252,8 @@ QString fullCircleText(const CircularPart &part, const EvaluatedPath &path) {
 /// Subject of a circle: the pair or a path, by the symbol of its result.
 Phrase circleOf(const CircularPart &part, const CircleResult &circle) {
     const bool both = circle.of == CircleOf::both;
+    if (both && !hasPair(part))
+        return part.write.text(REPORT_TEXT("report", "both paths"));
     std::string index;
     for (const EvaluatedPath &path : part.results.paths) {
         if (index.empty() && (both || circle.of == iso230_4::circleOf(path.sense)))

@@ -1464,6 +1464,35 @@ private slots:
         QVERIFY(pageText(composed).contains("Fin du rapport"));
     }
 
+    /// A figure is drawn about a circle that the edition has, under the name of the results.
+    void theCentreOfAFigureIsNamed_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("edition");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("2005") << "iso230-4-full-circles-xy"
+                              << "ISO 230-4:2005"
+                              << "minimum zone of G(b).";
+        QTest::newRow("1996 has no G(b)") << "iso230-4-full-circles-xy"
+                                          << "ISO 230-4:1996"
+                                          << "minimum zone of both paths.";
+        QTest::newRow("feedback") << "iso230-4-feedback-yz"
+                                  << "ISO 230-4:2005"
+                                  << "minimum zone of G(b)f.";
+    }
+    void theCentreOfAFigureIsNamed() {
+        QFETCH(QString, name);
+        QFETCH(QString, edition);
+        QFETCH(QString, said);
+        Document changed = *document(name);
+        Test test = *changed.tests[0];
+        test.edition = edition.toStdString();
+        test.limits.clear();
+        changed.tests = {std::make_shared<const Test>(test)};
+        const QString all = text(std::make_shared<const Document>(changed), Language(Language::Id::english));
+        QVERIFY2(all.contains("Figure drawn about the centre of the " + said), qPrintable(all));
+        QVERIFY(edition != "ISO 230-4:1996" || !all.contains("G(b)XY"));
+    }
+
     /// Ū and P are other definitions, not other factors.
     void counterpartsDifferByDefinition() {
         Document changed = *document("limits-2006");
