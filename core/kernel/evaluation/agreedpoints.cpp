@@ -67,7 +67,9 @@ void findNotAgreed(const Edition &edition, const Test &test, std::vector<Finding
         else
             finding.message.text = declared ? REPORT_TEXT("report", "To be agreed, not agreed%2: %1.")
                                             : REPORT_TEXT("report", "To be agreed, not declared%2: %1.");
-        finding.message.arguments = {row.name, std::string(), finding.clause};
+        finding.message.arguments = {row.name, std::string()};
+        if (read)
+            finding.message.arguments.emplace_back(finding.clause);
         findings.push_back(std::move(finding));
     }
 }

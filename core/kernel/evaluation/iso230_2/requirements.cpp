@@ -353,6 +353,9 @@ PointRole warmUpPoint(const Test &test) {
     const auto *m = positioning(test);
     return m && m->conditions.common.warmUp.specifiedBy == SpecifiedBy::maker ? notApplicable : listed;
 }
+PointRole warmUpInRow(const Test &test) {
+    return warmUpPoint(test) == listed ? inRow : notApplicable;
+}
 PointRole feedPoint1988(const Test &test) {
     const auto *m = positioning(test);
     return m && m->conditions.feedMode == FeedMode::rapid ? notApplicable : inRow;
@@ -388,7 +391,7 @@ constexpr std::array agreed1988{
 constexpr std::array agreed1997{
     AgreementPoint{"gradient",           "", REPORT_TEXT("report", "temperature gradient, 12 h before and during the test"), always},
     AgreementPoint{"instrumentPosition", "", REPORT_TEXT("report", "position of the instrument and of the temperature sensors")},
-    AgreementPoint{"warmUp",             "", REPORT_TEXT("report", "warm-up"), always},
+    AgreementPoint{"warmUp",             "", REPORT_TEXT("report", "warm-up"), warmUpInRow},
     AgreementPoint{"feed",               "", REPORT_TEXT("report", "feed rate between targets"), always},
     AgreementPoint{"zone",               "", REPORT_TEXT("report", "location of the working zone of 2 000 mm or 360°"), zonePoint},
     AgreementPoint{"otherAxes",          "", REPORT_TEXT("report", "position of the axes not under test")},

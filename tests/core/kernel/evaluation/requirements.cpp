@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/kernel/evaluation/completetests.h"
+#include "kernel/evaluation/agreedpoints.h"
 
 #include "kernel/evaluation/iso230_4/circularcase.h"
 
@@ -67,6 +68,7 @@ private slots:
     void accordanceInItsOrder();
     void pointsToAgree_data();
     void pointsToAgree();
+    void theMakersWarmUpNeedsNoAgreement();
 
 private:
     std::map<std::string, std::set<std::string>> m_missed; ///< "id clause" by edition, of all rows above
@@ -1991,6 +1993,21 @@ void Requirements::pointsToAgree() {
         QVERIFY(!f.state);
     }
     QCOMPARE(found.join(", "), points);
+}
+
+/// Where the maker specifies the warm-up, there is nothing to agree on, whatever the edition.
+void Requirements::theMakersWarmUpNeedsNoAgreement() {
+    for (const char *edition : {"ISO 230-2:1988", "ISO 230-2:1997", "ISO 230-2:2006", "ISO 230-2:2014"}) {
+        Setup setup = shortAxis(edition);
+        setup.test.agreedPoints.clear();
+        const auto &points = findEdition(edition)->points;
+        const auto found = std::ranges::find(points, std::string_view("warmUp"), &AgreementPoint::point);
+        QVERIFY(found != points.end());
+        setup.common().warmUp.specifiedBy = SpecifiedBy::maker;
+        QVERIFY(roleOf(*found, setup.test) == PointRole::notApplicable);
+        setup.common().warmUp.specifiedBy = SpecifiedBy::notStated;
+        QVERIFY(roleOf(*found, setup.test) != PointRole::notApplicable);
+    }
 }
 
 QTEST_GUILESS_MAIN(Requirements)
