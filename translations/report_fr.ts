@@ -9574,8 +9574,8 @@
         <translation>Les données ne contiennent qu’une seule inversion.</translation>
     </message>
     <message>
-        <source>Known of these sources is their sum: %1 = %2 ± %3 %4.</source>
-        <translation>De ces sources, seule la somme est connue&#xa0;: %1 = %2 ± %3 %4.</translation>
+        <source>Known of these sources is their sum: %1 = %2 %3.</source>
+        <translation>De ces sources, seule la somme est connue&#xa0;: %1 = %2 %3.</translation>
     </message>
     <message>
         <source>noise that grows towards slow waves (1/f)</source>

@@ -81,9 +81,11 @@ private:
         for (const DiagnosisRow &row : diagnosisRows(m_diagnosis, m_language)) {
             if (row.kind == DiagnosisRowKind::sum)
                 sums.emplace_back(Paragraph{m_language.sentence(
-                    REPORT_TEXT("report", "Known of these sources is their sum: %1 = %2 ± %3 %4."),
-                    {row.name.toStdString(), row.value.toStdString(),
-                     row.expanded.isEmpty() ? "–" : row.expanded.toStdString(), row.unit.toStdString()})});
+                    REPORT_TEXT("report", "Known of these sources is their sum: %1 = %2 %3."),
+                    {row.name.toStdString(),
+                     (row.expanded.isEmpty() ? row.value : row.value + QStringLiteral(" ± ") + row.expanded)
+                         .toStdString(),
+                     row.unit.toStdString()})});
             else
                 table.rows.push_back({row.name, row.value, row.expanded, row.unit,
                                       contributionCell(row, m_language, decimalsOfParts), row.meaning});
