@@ -925,6 +925,10 @@
         <translation>appliquée par l’instrument</translation>
     </message>
     <message>
+        <source>to be applied here, but nothing is corrected</source>
+        <translation>à appliquer ici, mais rien n’est corrigé</translation>
+    </message>
+    <message>
         <source>applied here</source>
         <translation>appliquée ici</translation>
     </message>

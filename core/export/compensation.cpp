@@ -3,6 +3,7 @@
 #include "export/compensation.h"
 
 #include "document/documenterror.h"
+#include "kernel/evaluation/correctionto20.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/numerics/angles.h"
@@ -307,9 +308,7 @@ std::vector<Message> conditionRemarks(const Conditions &conditions, Motion motio
             {REPORT_TEXT("report", "Compensation in the test: “%1”. Table and prediction hold on top of "
                                    "what was active then: add the two, do not replace it."),
              {conditions.compensation}});
-    const bool isCorrected = conditions.correctionTo20 == CorrectionTo20::appliedByInstrument ||
-                             conditions.correctionTo20 == CorrectionTo20::appliedHere;
-    if (motion != Motion::linear || isCorrected)
+    if (motion != Motion::linear || isCorrectedTo20(conditions))
         return remarks;
     constexpr double reference = 20; // °C
     constexpr double same = 0.05;

@@ -19,6 +19,7 @@
 #include "report/parts/parts.h"
 #include "report/tables/findinglines.h"
 #include "report/words/accordancetext.h"
+#include "report/words/correctiontext.h"
 #include "report/words/wording.h"
 
 #include <QXmlStreamWriter>
@@ -546,7 +547,7 @@ private:
             writeExpansion(REPORT_TEXT("report", "α instrument"), instrument);
             const QStringList numbers = writeNumbers(test);
             condition(both(REPORT_TEXT("report", "Correction to 20 °C")),
-                      [&] { said("dcc:text", correctionText(conditions->correctionTo20)); });
+                      [&] { said("dcc:text", correctionText(test)); });
             if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement))
                 writeSampleIntervals(*circle);
             writeWords(index, numbers);

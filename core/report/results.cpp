@@ -11,6 +11,7 @@
 #include "report/tables/findinglines.h"
 #include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"
+#include "report/words/correctiontext.h"
 #include "report/words/wording.h"
 
 #include <QStringList>
@@ -130,15 +131,14 @@ private:
                      text(results.standardDeviation == DeviationMethod::range
                               ? REPORT_TEXT("report", "range method")
                               : REPORT_TEXT("report", "calculation method")));
-        addCorrection(head, m.conditions.common, m.axis.motion == Motion::linear);
+        addCorrection(head, test, m.axis.motion == Motion::linear);
         return head.take();
     }
 
     /// Adds the correction to 20 °C if it counts for the results or is stated.
-    void addCorrection(LabelledRows &head, const Conditions &conditions, bool counts) const {
-        if (counts || conditions.correctionTo20 != CorrectionTo20::notStated)
-            head.add(REPORT_TEXT("report", "Correction to 20 °C"),
-                     text(correctionText(conditions.correctionTo20)));
+    void addCorrection(LabelledRows &head, const Test &test, bool counts) const {
+        if (counts || conditionsOf(test)->correctionTo20 != CorrectionTo20::notStated)
+            head.add(REPORT_TEXT("report", "Correction to 20 °C"), text(correctionText(test)));
     }
 
     [[nodiscard]] QString zoneText(const PositioningMeasurement &m) const {
@@ -173,7 +173,7 @@ private:
                  text(m.referenceCircle == ReferenceCircle::minimumZone
                           ? REPORT_TEXT("report", "minimum zone circles (MZC)")
                           : REPORT_TEXT("report", "least squares circle (LSC)")));
-        addCorrection(head, m.conditions.common, false);
+        addCorrection(head, test, false);
         for (const EvaluatedPath &path : results.paths) {
             const QString sense = text(senseText(path.sense));
             head.add(REPORT_TEXT("report", "Path"),

@@ -461,7 +461,8 @@ void addCircles(std::vector<Block> &blocks, const CircularPart &part) {
              fromNominal(part, circle.outerRadius), number(circle.width), certificate(part, circle)});
     }
     QString note = write.text(REPORT_TEXT("report", "centres relative to the programmed one"));
-    if (part.needsLength())
+    if (part.needsLength() &&
+        part.measurement.conditions.common.correctionTo20 != CorrectionTo20::appliedByInstrument)
         note += write.semicolon() + write.text(REPORT_TEXT("report", "without correction to 20 °C"));
     addHeading(blocks, write.text(REPORT_TEXT("report", "Reference circles")), note);
     blocks.emplace_back(std::move(table));

@@ -8,6 +8,7 @@
 #include "report/parts/parts.h"
 #include "report/tables/diagnosisrows.h"
 #include "report/tables/resulttable.h"
+#include "report/words/correctiontext.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 
@@ -246,8 +247,7 @@ std::vector<KeyValue> statedRows(const PlacedTest &placed, const PlacedTest &oth
         rows.add(REPORT_TEXT("report", "Target positions"), targetsOf(*m, other, write));
         rows.add(REPORT_TEXT("report", "Runs"), QStringLiteral("%1 ↑, %2 ↓").arg(up).arg(down));
         rows.add(REPORT_TEXT("report", "Readings without a value"), gapsOf(*m, write));
-        rows.add(REPORT_TEXT("report", "Correction to 20 °C"),
-                 write.text(correctionText(m->conditions.common.correctionTo20)));
+        rows.add(REPORT_TEXT("report", "Correction to 20 °C"), write.text(correctionText(test)));
         if (placed.evaluation().edition)
             rows.add(REPORT_TEXT("report", "Cycle"),
                      write.text(cycleText(m->cycle, *placed.evaluation().edition)));

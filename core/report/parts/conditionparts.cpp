@@ -12,6 +12,7 @@
 #include "kernel/uncertainty/statedinputs.h"
 #include "kernel/words/characters.h"
 #include "language/decimals.h"
+#include "report/words/correctiontext.h"
 #include "report/words/wording.h"
 
 #include <algorithm>
@@ -533,7 +534,7 @@ QString correctionOf(const TestPart &part) {
     const CorrectionTo20 correction = conditionsOf(part.test)->correctionTo20;
     const bool counts = correction != CorrectionTo20::notStated ||
                         withKind(part, [](const auto &own) { return own.needsLength(); });
-    return counts ? part.write.text(correctionText(correction)) : QString();
+    return counts ? part.write.text(correctionText(part.test)) : QString();
 }
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/correctionto20.h"
 #include "kernel/measurement/testfacts.h"
+#include "report/words/wording.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,31 @@ double expandingLength(const Unjudged auto & /*measurement*/) {
     return 0;
 }
 
+/// True if a measurement has results that a correction made here can change.
+bool takesCorrection(const PositioningMeasurement &measurement) {
+    return measurement.axis.motion == Motion::linear;
+}
+
+bool takesCorrection(const CircularMeasurement &measurement) {
+    return measurement.source == SignalSource::external;
+}
+
+bool takesCorrection(const Unjudged auto & /*measurement*/) {
+    return false;
+}
+
 } // namespace
+
+Text correctionText(const Test &test) {
+    const Conditions *conditions = conditionsOf(test);
+    const CorrectionTo20 stated = conditions ? conditions->correctionTo20 : CorrectionTo20::notStated;
+    const bool isMade =
+        std::visit([](const auto &measurement) { return takesCorrection(measurement); }, test.measurement) &&
+        conditions && isCorrectedTo20(*conditions);
+    return stated == CorrectionTo20::appliedHere && !isMade
+               ? REPORT_TEXT("report", "to be applied here, but nothing is corrected")
+               : correctionText(stated);
+}
 
 QString correctionSizeText(const Test &test, const Language &language) {
     const double length =

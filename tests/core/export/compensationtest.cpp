@@ -739,6 +739,7 @@ void CompensationTest::saysUnderWhichConditionsItHolds_data() {
     };
     row("at 20 °C", "", CorrectionTo20::notStated, 20, false, {});
     row("corrected", "", CorrectionTo20::appliedHere, 27, false, {});
+    row("was to be corrected", "", CorrectionTo20::appliedHere, 0, false, {"the temperature of the test"});
     row("warm", "", CorrectionTo20::notApplied, 27, false, {"the machine at 27"});
     row("warm, not stated", "", CorrectionTo20::notStated, 27.5, false, {"the machine at 27.5"});
     row("temperature unknown", "", CorrectionTo20::notStated, 0, false, {"the temperature of the test"});
@@ -760,6 +761,7 @@ void CompensationTest::saysUnderWhichConditionsItHolds() {
     Conditions &conditions = measurement.conditions.common;
     conditions.compensation = compensation;
     conditions.correctionTo20 = static_cast<CorrectionTo20>(correction);
+    conditions.expansion = {11.5, 0.0};
     conditions.sensors.clear();
     if (temperature > 0) {
         Sensor sensor;

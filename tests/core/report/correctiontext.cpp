@@ -60,6 +60,31 @@ private slots:
         QCOMPARE(english(test), "6.9\u00a0µm over 750\u00a0mm");
     }
 
+    /// "Applied here" is said only where it was.
+    void aCorrectionThatWasNotMadeIsNotSaidToBe() {
+        const Language language(Language::Id::english);
+        const auto said = [&](const Test &test) { return language.text(correctionText(test)); };
+        const QString nothing = "to be applied here, but nothing is corrected";
+        Test test = axis();
+        auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+        QCOMPARE(said(test), "not stated");
+        measurement.conditions.common.correctionTo20 = CorrectionTo20::appliedHere;
+        QCOMPARE(said(test), "applied here");
+        measurement.axis.motion = Motion::rotary;
+        QCOMPARE(said(test), nothing);
+        measurement.axis.motion = Motion::linear;
+        measurement.conditions.common.sensors.clear();
+        QCOMPARE(said(test), nothing);
+        CircularMeasurement circle;
+        state(circle.conditions.common);
+        circle.conditions.common.correctionTo20 = CorrectionTo20::appliedHere;
+        test.measurement = circle;
+        QCOMPARE(said(test), "applied here");
+        circle.source = SignalSource::feedback;
+        test.measurement = circle;
+        QCOMPARE(said(test), nothing);
+    }
+
     void ofCirclesTheRadius() {
         CircularMeasurement measurement;
         measurement.nominalRadius = 150;
