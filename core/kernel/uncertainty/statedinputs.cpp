@@ -36,7 +36,7 @@ void addInputs(Inputs &inputs, const PositioningMeasurement &measurement) {
     inputs.add(inputs::thetaRangeInstrument, of.temperatureRange.instrument, Quantity::temperature);
     inputs.add(inputs::alphaRangeMachine, of.expansionRange.machine, Quantity::expansion);
     inputs.add(inputs::alphaRangeInstrument, of.expansionRange.instrument, Quantity::expansion);
-    inputs.add(inputs::environment, of.environmentalVariation, size);
+    inputs.add(REPORT_TEXT("report", "environmental variation error"), of.environmentalVariation, size);
     inputs.add(REPORT_TEXT("report", "length L"), of.length, Quantity::position);
 }
 
@@ -48,7 +48,7 @@ void addInputs(Inputs &inputs, const CircularMeasurement &measurement) {
                      of.displacement.coverageFactor);
     inputs.add(REPORT_TEXT("report", "resolution of the instrument"), of.resolution, size);
     inputs.add(REPORT_TEXT("report", "repeatability"), of.repeatability, size);
-    inputs.add(inputs::environment, of.environmentalVariation, size);
+    inputs.add(REPORT_TEXT("report", "environmental variation error"), of.environmentalVariation, size);
     inputs.add(inputs::referenceLength, measurement.referenceLength.expandedUncertainty, size);
     inputs.addFactor(REPORT_TEXT("report", "coverage factor of the reference length"),
                      measurement.referenceLength.coverageFactor);

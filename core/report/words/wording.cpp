@@ -156,6 +156,9 @@ Phrase withSymbols(const QString &sentence, std::span<const Parameter> parameter
         Phrase phrase;
     };
     std::vector<Name> names;
+    for (const auto &[text, formula] :
+         {std::pair(u"E_VE", u"E_VE"), std::pair(u"Gf", u"G_f"), std::pair(u"G(b)f", u"G(b)_f")})
+        names.push_back({QString::fromUtf16(text), phraseFrom(QString::fromUtf16(formula))});
     for (const Parameter &parameter : parameters) {
         const Phrase phrase = symbolPhrase(parameter);
         if (phrase.spans.size() < 2 || !phrase.spans[1].subscript)

@@ -84,8 +84,8 @@ struct RuleWords {
 [[nodiscard]] Phrase symbolPhrase(const Symbol &symbol, const std::string &index = {});
 [[nodiscard]] Phrase symbolPhrase(const Parameter &parameter);
 
-/// A sentence in which the indices of the symbols of these parameters ("FmaxXY", "Fmax,XY", "Fmax_XY") become
-/// subscripts.
+/// A sentence in which the indices of E_VE, G_f, G(b)_f and of the symbols of these parameters ("FmaxXY",
+/// "Fmax,XY", "Fmax_XY") become subscripts.
 [[nodiscard]] Phrase withSymbols(const QString &sentence, std::span<const Parameter> parameters);
 
 /// A formula ("α_i·(T_i − 20)", see formulaFrom) with its indices as subscripts.
