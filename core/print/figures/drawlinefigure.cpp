@@ -15,6 +15,7 @@ namespace {
 constexpr double endLabelGap = 0.8 * mm;
 constexpr double topMargin = 1.6 * mm;
 constexpr double rightMargin = 6 * mm;
+constexpr double mostLabel = 30 * mm;      ///< at the end of a line
 constexpr double bandLabelRoom = 3.2 * mm; ///< above the plot
 constexpr double arrowGap = 1.6 * mm;      ///< between a band and the arrow of its span
 constexpr double arrowLength = 1.3 * mm;
@@ -92,13 +93,26 @@ private:
 
     [[nodiscard]] QRectF plotIn(const QRectF &area) const {
         const double left = widthOfNumbers(m_figure.y, lineFrame, titleCentre + figureTextSize);
-        const double room = area.width() - left - rightMargin;
+        double right = rightMargin;
+        for (const FigureLine &line : m_figure.lines)
+            right = std::max(right, textWidth(endLabel(line)) + endLabelGap);
+        const double room = area.width() - left - right;
         const double below = m_entries.empty()
                                  ? lineFrame.title + titleCentre
                                  : lineFrame.legend + legendRows(m_entries, room, lineFrame) * legendPitch;
         const double bottom = below - heightSaved();
         const double top = topMargin + (m_figure.band && !m_figure.band->label.isEmpty() ? bandLabelRoom : 0);
         return {area.left() + left, area.top() + top, room, area.height() - top - bottom};
+    }
+
+    /// As much of the label as there is room for at the end of its line.
+    static QString endLabel(const FigureLine &line) {
+        QString label = line.label;
+        for (qsizetype size = label.size(); size > 0 && textWidth(label) > mostLabel;) {
+            size -= line.label[size - 1].isLowSurrogate() ? 2 : 1;
+            label = line.label.first(size) + u'…';
+        }
+        return label;
     }
 
     /// The label ends at the band, or begins there where it would leave the plot.
@@ -161,9 +175,9 @@ private:
                 continue;
             const QPointF end = m_frame.at(line.points.back()) + QPointF(endLabelGap, 0);
             if (end.x() < plot.right() - figureTextSize) // ends before the others
-                drawText(p, end, line.label, text);
+                drawText(p, end, endLabel(line), text);
             else
-                labels.push_back({end.y(), line.label});
+                labels.push_back({end.y(), endLabel(line)});
         }
         std::ranges::stable_sort(labels, {}, &Label::at);
         double last = plot.top() - figureTextSize;
