@@ -4935,6 +4935,10 @@
         <translation>Écart au repos</translation>
     </message>
     <message>
+        <source>deviation at rest, largest range within the duration of the test %1</source>
+        <translation>écart au repos, plus grande étendue sur la durée de l’essai %1</translation>
+    </message>
+    <message>
         <source>deviation at rest, range %1</source>
         <translation>écart au repos, étendue %1</translation>
     </message>

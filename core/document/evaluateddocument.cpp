@@ -260,13 +260,14 @@ Surroundings surroundingsOf(const Document &document, std::size_t test) {
     return surroundings(document, Siblings(document), *document.tests[test]);
 }
 
-std::optional<Variation> driftVariation(const Document &document, const std::string &id, const Test &test) {
+std::optional<TakenVariation> takenVariation(const Document &document, const std::string &id,
+                                             const Test &test) {
     const auto quantity =
         motionOf(test) == Motion::linear ? ChannelQuantity::deviation : ChannelQuantity::angularDeviation;
     const std::string axes = axesOf(test);
     constexpr double minute = 60;
     const auto duration = test.duration ? std::optional(*test.duration * minute) : std::nullopt;
-    std::optional<Variation> largest;
+    std::optional<TakenVariation> largest;
     for (const TestPointer &other : document.tests) {
         const auto *drift = std::get_if<DriftMeasurement>(&other->measurement);
         if (!drift || other->id != id)
@@ -279,11 +280,16 @@ std::optional<Variation> driftVariation(const Document &document, const std::str
             const auto found = named && channel.quantity == quantity
                                    ? variationOf(drift->times, channel.values, duration)
                                    : std::nullopt;
-            if (found && (!largest || found->value > largest->value))
-                largest = found;
+            if (found && (!largest || found->value > largest->variation.value))
+                largest = {channel, *found};
         }
     }
     return largest;
+}
+
+std::optional<Variation> driftVariation(const Document &document, const std::string &id, const Test &test) {
+    const auto taken = takenVariation(document, id, test);
+    return taken ? std::optional(taken->variation) : std::nullopt;
 }
 
 std::optional<Verdict> EvaluatedDocument::verdict() const {

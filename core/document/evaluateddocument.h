@@ -49,10 +49,19 @@ template <class Measurement>
     return test < evaluated.tests.size() ? measured<Measurement>(*evaluated.document, test) : nullptr;
 }
 
-/// Returns E_VE, mm or degrees, that the drift test with this id gives to a test: over the duration of the
-/// test if that is stated, else over the whole record. Of several channels that of the axis counts, of a
-/// plane the largest of its two. Null without a channel of the same kind: angles are of no use to a linear
-/// axis, nor lengths to a rotary one.
+/// E_VE, mm or degrees, with the channel that gives it.
+struct TakenVariation {
+    DriftChannel channel;
+    Variation variation;
+};
+
+/// Returns E_VE that the drift test with this id gives to a test: over the duration of the test if that is
+/// stated, else over the whole record. Of several channels that of the axis counts, of a plane the largest of
+/// its two. Null without a channel of the same kind: angles are of no use to a linear axis, nor lengths to a
+/// rotary one.
+[[nodiscard]] std::optional<TakenVariation> takenVariation(const Document &document, const std::string &id,
+                                                           const Test &test);
+/// The same without its channel.
 [[nodiscard]] std::optional<Variation> driftVariation(const Document &document, const std::string &id,
                                                       const Test &test);
 

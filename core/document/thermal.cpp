@@ -26,12 +26,6 @@ void nameOnlyChannel(DriftMeasurement &drift) {
         drift.channels.front().name = drift.axis.name;
 }
 
-DriftChannel mainChannel(const DriftMeasurement &drift) {
-    std::vector<DriftChannel> channels = channelsOf(drift);
-    const auto named = std::ranges::find(channels, drift.axis.name, &DriftChannel::name);
-    return channels.empty() ? DriftChannel() : std::move(named == channels.end() ? channels.front() : *named);
-}
-
 std::optional<Variation> variationOf(const std::vector<double> &times,
                                      const std::vector<std::optional<double>> &values,
                                      std::optional<double> duration) {
@@ -74,11 +68,18 @@ std::vector<ThermalChannel> thermalChannels(const DriftMeasurement &drift) {
     return result;
 }
 
+bool takesVariation(const Test &test, const std::string &drift) {
+    const std::string *named = driftTestOf(test);
+    bool isEntered = false;
+    withUncertainty(test, [&](const auto &inputs) { isEntered = inputs.environmentalVariation.has_value(); });
+    return named && *named == drift && !isEntered;
+}
+
 std::vector<std::size_t> testsTaking(const Document &document, const std::string &drift) {
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < document.tests.size(); ++i) {
-        const std::string *named = driftTestOf(*document.tests[i]);
-        if (named && *named == drift && !drift.empty())
+        if (!drift.empty() && takesVariation(*document.tests[i], drift) &&
+            driftVariation(document, drift, *document.tests[i]))
             result.push_back(i);
     }
     return result;
@@ -120,7 +121,8 @@ DriftCases driftCases(const EvaluatedDocument &evaluated, std::size_t index) {
     const Test &test = *document.tests[index];
     const std::string *id = driftTestOf(test);
     const TestEvaluation &evaluation = *evaluated.tests[index];
-    if (!id || !usesContributions(evaluation.uncertainty.method) || !evaluation.uncertainty.complete)
+    if (!id || !takesVariation(test, *id) || !usesContributions(evaluation.uncertainty.method) ||
+        !evaluation.uncertainty.complete)
         return result;
     for (const char *wanted : explained) {
         if (std::ranges::any_of(evaluation.parameters,

@@ -14,9 +14,6 @@ namespace palmer {
 /// Values with NaN for those that are missing.
 [[nodiscard]] std::vector<double> withGaps(const std::vector<std::optional<double>> &values);
 
-/// The channel named as the axis of a drift test, otherwise its first; empty without readings.
-[[nodiscard]] DriftChannel mainChannel(const DriftMeasurement &drift);
-
 /// Gives the only channel the name of the axis, if there is one: it is that of the axis.
 void nameOnlyChannel(DriftMeasurement &drift);
 
@@ -36,7 +33,10 @@ struct ThermalChannel {
 /// Times ascend in the record.
 [[nodiscard]] std::vector<ThermalChannel> thermalChannels(const DriftMeasurement &drift);
 
-/// The judged tests that take E_VE from a drift test.
+/// True if a test names this drift test for its E_VE; a number beside it wins.
+[[nodiscard]] bool takesVariation(const Test &test, const std::string &drift);
+
+/// The judged tests that take E_VE from a drift test, which has one for them.
 [[nodiscard]] std::vector<std::size_t> testsTaking(const Document &document, const std::string &drift);
 
 /// Another drift than that of the record, and what it would make of the uncertainty of a test.

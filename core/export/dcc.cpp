@@ -5,6 +5,7 @@
 #include "document/fieldvalue.h"
 #include "document/filewords.h"
 #include "document/resultwords.h"
+#include "document/thermal.h"
 #include "document/visibletexts.h"
 #include "document/writedocument.h"
 #include "kernel/evaluation/conformity.h"
@@ -13,6 +14,7 @@
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "kernel/words/characters.h"
 #include "kernel/words/shortest.h"
 #include "language/rounding.h"
 #include "language/visibletext.h"
@@ -199,7 +201,7 @@ private:
                 writeUncertainty(*parameter);
         });
     }
-    void quantity(const Text &name, double value, Quantity quantity) {
+    void quantity(const auto &name, double value, Quantity quantity) {
         within("dcc:quantity", [&] {
             said("dcc:name", name);
             real(value, quantity);
@@ -432,7 +434,7 @@ private:
     }
 
     void writeTemperature(const Temperatures &of, SensorMeasures what, const std::string &position) {
-        if (!of.start && !of.end)
+        if (!of.start && !of.end && isBlank(position))
             return;
         const auto name = [&](const Language &language) {
             return joined(
@@ -440,6 +442,8 @@ private:
                  QString::fromStdString(position)});
         };
         condition(both(name), [&] {
+            if (!of.start && !of.end)
+                said("dcc:text", REPORT_TEXT("report", "not stated"));
             for (const auto &[words, value] : {std::pair{REPORT_TEXT("report", "Start"), of.start},
                                                std::pair{REPORT_TEXT("report", "End"), of.end}}) {
                 if (value) // a mean of decimals may have a rounding error
@@ -573,6 +577,25 @@ private:
 
     // ---- Results ----
 
+    /// E_VE of each channel; false if there is none.
+    bool writeDrift(const Test &test) {
+        const auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
+        bool any = false;
+        for (const DriftChannel &channel : drift ? channelsOf(*drift) : std::vector<DriftChannel>()) {
+            const auto whole = variationOf(drift->times, channel.values, std::nullopt);
+            if (!whole)
+                continue;
+            any = true;
+            const Both name = drift->channels.size() > 1 ? both([&](const Language &language) {
+                return language.sentence(REPORT_TEXT("report", "E_VE of %1, whole record"), {channel.name});
+            })
+                                                         : both(REPORT_TEXT("report",
+                                                                            "Environmental variation E_VE"));
+            quantity(name, whole->value, deviationQuantity(channel));
+        }
+        return any;
+    }
+
     void writeResults(std::size_t index) {
         const Test &test = *document().tests[index];
         const TestEvaluation &evaluation = *m_evaluated.tests[index];
@@ -583,11 +606,8 @@ private:
                     if (parameter.required || parameter.limit)
                         within("dcc:quantity", [&] { writeParameter(parameter, test, evaluation); });
                 }
-                const auto range = rangeAtRest(test);
-                if (range)
-                    quantity(REPORT_TEXT("report", "Environmental variation E_VE"), *range,
-                             deviationQuantity(test));
-                if (!range && evaluation.parameters.empty())
+                const bool isDrifting = writeDrift(test);
+                if (!isDrifting && evaluation.parameters.empty())
                     said("dcc:text", REPORT_TEXT("report", "no results"));
             });
         });

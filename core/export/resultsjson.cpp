@@ -231,7 +231,7 @@ Json responseOf(const ThermalResponse &response, const DriftTemperature &tempera
 Json ownResults(const DriftMeasurement &measurement, const DriftResults &results,
                 const UncertaintyEvaluation & /*evaluation*/) {
     Json own{{"range", numberOrNull(results.range)},
-             {"unit", measurement.axis.motion == Motion::rotary ? "deg" : "mm"}};
+             {"unit", deviationQuantity(measurement) == Quantity::angularDeviation ? "deg" : "mm"}};
     if (measurement.channels.empty() && measurement.temperatures.empty())
         return own;
     Json channels = Json::array();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/testfigures.h"
 
-#include "document/thermal.h"
 #include "kernel/evaluation/resultsof.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -45,12 +45,13 @@ QString titleOf(const std::string &channel, const std::string &axis, const Langu
 
 } // namespace
 
-CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, const Language &language) {
+CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, const Language &language,
+                        const std::optional<TakenVariation> &taken) {
     const auto &measurement = std::get<DriftMeasurement>(test.measurement);
     const DriftResults &results = resultsOf(measurement, evaluation);
-    const Quantity quantity = deviationQuantity(measurement.axis);
+    const DriftChannel channel = taken ? taken->channel : mainChannel(measurement);
+    const Quantity quantity = taken ? deviationQuantity(channel) : deviationQuantity(measurement);
     const double scale = unitScale(quantity, language.units());
-    const DriftChannel channel = mainChannel(measurement);
     const std::size_t count = std::min(measurement.times.size(), channel.values.size());
     const double last =
         count > 0 ? *std::max_element(measurement.times.begin(),
@@ -74,10 +75,18 @@ CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, cons
     figure.y.unit = language.unit(quantity);
     if (curve.points.empty())
         return withRanges(std::move(figure), {0, 1}, {-1, 1}, language);
-    const auto [least, most] = std::ranges::minmax_element(curve.points, {}, &FigurePoint::y);
+    const auto [lowest, highest] = std::ranges::minmax_element(curve.points, {}, &FigurePoint::y);
     const auto [begin, end] = std::ranges::minmax_element(curve.points, {}, &FigurePoint::x);
     const Interval x = end->x > begin->x ? Interval{begin->x, end->x} : Interval{begin->x - 1, end->x + 1};
-    const Interval y = widened(least->y, most->y);
+    const Interval y = widened(lowest->y, highest->y);
+    const auto inWindow = [&](const FigurePoint &point) {
+        return !taken || (point.x >= taken->variation.from / unit.seconds &&
+                          point.x <= taken->variation.to / unit.seconds);
+    };
+    std::vector<FigurePoint> window;
+    std::ranges::copy_if(curve.points, std::back_inserter(window), inWindow);
+    const bool isPart = window.size() < curve.points.size();
+    const auto [least, most] = std::ranges::minmax_element(window, {}, &FigurePoint::y);
     if (most->y > least->y) {
         Dimension range;
         range.label = QStringLiteral("E");
@@ -89,10 +98,14 @@ CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, cons
         figure.dimensions.push_back(std::move(range));
     }
     constexpr int decimals = 1;
-    figure.legend.push_back({LegendSample::drift,
-                             language.sentence(REPORT_TEXT("report", "deviation at rest, range %1"),
-                                               {Number{results.range.value_or(0), quantity, decimals}}),
-                             false});
+    const Text words = isPart ? REPORT_TEXT("report", "deviation at rest, largest range within the duration "
+                                                      "of the test %1")
+                              : REPORT_TEXT("report", "deviation at rest, range %1");
+    figure.legend.push_back(
+        {LegendSample::drift,
+         language.sentence(
+             words, {Number{taken ? taken->variation.value : results.range.value_or(0), quantity, decimals}}),
+         false});
     figure.curves.push_back(std::move(curve));
     return withRanges(std::move(figure), x, y, language);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/evaluateddocument.h"
 #include "figures/figure.h"
 #include "kernel/evaluation/testevaluation.h"
 #include "kernel/measurement/test.h"
@@ -40,11 +41,13 @@ struct DeviationFigureOptions {
                                      const Language &language);
 
 /// Curve of a drift test: deviations at rest (µm; rotary: arc seconds) over time (s; from 10 minutes min,
-/// from 10 hours h), with E_VE = max − min as a dimension between the two readings that define it. `test`
-/// holds a DriftMeasurement and `evaluation` is its evaluation; otherwise throws std::bad_variant_access.
-/// Without readings an empty figure.
+/// from 10 hours h), with E_VE = max − min as a dimension between the two readings that define it: of the
+/// main channel over the whole record, or as `taken` by a test. `test` holds a DriftMeasurement and
+/// `evaluation` is its evaluation; otherwise throws std::bad_variant_access. Without readings an empty
+/// figure.
 [[nodiscard]] CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation,
-                                      const Language &language);
+                                      const Language &language,
+                                      const std::optional<TakenVariation> &taken = {});
 
 /// Temperatures of the sensors that have a series, over time (h, from the first of all values; °C). Several
 /// sensors are numbered in the order of the test. No lines if no sensor has two values. Long series keep the

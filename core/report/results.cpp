@@ -213,7 +213,7 @@ private:
                 m_report.blocks.emplace_back(Paragraph{note, TextSize::small});
             return;
         }
-        const Quantity quantity = deviationQuantity(drift.axis);
+        const Quantity quantity = deviationQuantity(drift);
         m_report.blocks.emplace_back(
             KeyValues{{{text(REPORT_TEXT("report", "Environmental variation error (max − min)")),
                         results.range ? m_language.quantity(*results.range, quantity, 2) : QString()}}});

@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "document/edits.h"
+#include "document/thermal.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
@@ -154,8 +155,7 @@ const Test *DriftPage::test() const {
 QString DriftPage::takenBy() const {
     QStringList names;
     for (const TestPointer &other : m_evaluated.document->tests) {
-        const std::string *drift = driftTestOf(*other);
-        if (drift && *drift == test()->id)
+        if (takesVariation(*other, test()->id))
             names << testName(*other);
     }
     return names.join(QStringLiteral(", "));
@@ -181,8 +181,8 @@ void DriftPage::refresh() {
         return;
     const DriftResults &results = resultsOf(*shown, *m_evaluated.tests[m_test]);
     m_range->setText(results.range ? tr("E_VE = %1")
-                                         .arg(m_language.quantity(
-                                             *results.range, deviationQuantity(shown->axis), rangeDecimals))
+                                         .arg(m_language.quantity(*results.range, deviationQuantity(*shown),
+                                                                  rangeDecimals))
                                    : tr("No readings yet"));
     const QString taken = takenBy();
     m_taken->setText(taken.isEmpty()

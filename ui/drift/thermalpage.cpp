@@ -207,13 +207,16 @@ void ThermalPage::present() {
     const auto taker = user();
     const Test *taking = taker ? m_evaluated.document->tests[*taker].get() : nullptr;
     const std::string &id = m_evaluated.document->tests[m_test]->id;
-    const auto found = taking ? driftVariation(*m_evaluated.document, id, *taking) : std::nullopt;
+    const auto found = taking ? takenVariation(*m_evaluated.document, id, *taking) : std::nullopt;
     const bool isWithin = found && taking->duration; // otherwise the window is the whole record
     draw(*m_drift,
          channelFigure(*shown, m_result->channels, channel, language, isWithin ? found : std::nullopt), true);
     const bool hot = !shown->temperatures.empty();
     draw(*m_temperatures, temperatureFigure(*shown, language, isWithin ? found : std::nullopt), hot);
-    const LineFigure variation = variationFigure(*shown, language);
+    const std::vector<DriftChannel> channels = channelsOf(*shown);
+    const LineFigure variation = variationFigure(
+        *shown, channel < channels.size() ? deviationQuantity(channels[channel]) : deviationQuantity(*shown),
+        language);
     m_variationTitle->setText(variation.title);
     draw(*m_variation, variation, true);
     fill(*m_responses, responseTable(*shown, m_result->channels, language));
@@ -242,7 +245,7 @@ void ThermalPage::present() {
     m_take->setEnabled(found && !isTaken);
     if (found)
         m_take->setText(tr("Take %1 into the budget")
-                            .arg(language.quantity(found->value, deviationQuantity(*taking), 1)));
+                            .arg(language.quantity(found->variation.value, deviationQuantity(*taking), 1)));
 }
 
 /// The chosen test takes its E_VE from this drift test.

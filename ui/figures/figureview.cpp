@@ -85,7 +85,7 @@ QString labelOf(const DriftMeasurement &drift, const ReadingPlace &place, const 
     constexpr std::size_t sample = 1000; // readings that show how many decimals were taken
     constexpr int mostDecimals = 4;
     const auto &values = mainChannel(drift).values;
-    const Quantity quantity = deviationQuantity(drift.axis);
+    const Quantity quantity = deviationQuantity(drift);
     int decimals = 0;
     for (std::size_t i = 0; i < std::min(values.size(), sample); ++i)
         decimals = std::max(decimals, values[i] ? decimalsOf(*values[i], quantity) : 0);
@@ -318,7 +318,7 @@ void FigureView::showTitle(const DriftMeasurement &drift, const DriftResults &re
     constexpr int decimals = 2;
     m_note->setText(results.range
                         ? QStringLiteral("E_VE = ") +
-                              m_language.quantity(*results.range, deviationQuantity(drift.axis), decimals)
+                              m_language.quantity(*results.range, deviationQuantity(drift), decimals)
                         : QString());
 }
 

@@ -87,7 +87,19 @@ Motion motionOf(const Test &test) {
     return axis ? axis->motion : Motion::linear;
 }
 
+Quantity deviationQuantity(const DriftChannel &channel) {
+    return channel.quantity == ChannelQuantity::deviation ? Quantity::deviation : Quantity::angularDeviation;
+}
+
+Quantity deviationQuantity(const DriftMeasurement &measurement) {
+    if (!measurement.channels.empty())
+        return deviationQuantity(mainChannel(measurement));
+    return measurement.axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+}
+
 Quantity deviationQuantity(const Test &test) {
+    if (const auto *drift = std::get_if<DriftMeasurement>(&test.measurement))
+        return deviationQuantity(*drift);
     return motionOf(test) == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
 }
 
@@ -136,25 +148,21 @@ std::vector<DriftChannel> channelsOf(const DriftMeasurement &measurement) {
              {measurement.deviations.begin(), measurement.deviations.end()}}};
 }
 
+DriftChannel mainChannel(const DriftMeasurement &measurement) {
+    std::vector<DriftChannel> channels = channelsOf(measurement);
+    const auto named = std::ranges::find(channels, measurement.axis.name, &DriftChannel::name);
+    return channels.empty() ? DriftChannel() : std::move(named == channels.end() ? channels.front() : *named);
+}
+
 std::optional<double> rangeOf(const DriftMeasurement &measurement) {
-    const std::vector<DriftChannel> channels = channelsOf(measurement);
-    if (channels.empty())
-        return std::nullopt;
-    auto channel = std::ranges::find(channels, measurement.axis.name, &DriftChannel::name);
-    if (channel == channels.end())
-        channel = channels.begin();
+    const DriftChannel channel = mainChannel(measurement);
     std::optional<Interval> range;
-    for (const std::optional<double> &value : channel->values) {
+    for (const std::optional<double> &value : channel.values) {
         if (value)
             range = range ? Interval{std::min(range->from, *value), std::max(range->to, *value)}
                           : Interval{*value, *value};
     }
     return range ? std::optional(range->to - range->from) : std::nullopt;
-}
-
-std::optional<double> rangeAtRest(const Test &test) {
-    return partOr<std::optional<double>>({}, test.measurement,
-                                         [](auto &m) -> decltype(rangeOf(m)) { return rangeOf(m); });
 }
 
 std::size_t readingsOf(const Test &test) {

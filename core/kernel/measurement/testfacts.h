@@ -56,8 +56,11 @@ struct KindOfTest {
 /// Returns rotary if the readings are angles.
 [[nodiscard]] Motion motionOf(const Test &test);
 
-/// Quantity of the deviations or the feed of a test: linear, or angular for a rotary axis.
+/// Quantity of the deviations or the feed of a test: linear, or angular for a rotary axis; of a drift test
+/// that of its main channel.
 [[nodiscard]] Quantity deviationQuantity(const Test &test);
+[[nodiscard]] Quantity deviationQuantity(const DriftMeasurement &measurement);
+[[nodiscard]] Quantity deviationQuantity(const DriftChannel &channel);
 [[nodiscard]] Quantity feedQuantity(const Test &test);
 
 /// Returns "X", or "XY" for a plane; empty if none is stated.
@@ -101,10 +104,12 @@ void withUncertainty(AnyTest &test, Use use) {
 /// Returns the channels of a drift test; `deviations` are one with the name of the axis.
 [[nodiscard]] std::vector<DriftChannel> channelsOf(const DriftMeasurement &measurement);
 
-/// Returns E_VE of the whole record: largest − smallest deviation at rest of the channel named as the axis
-/// or, if none is, of the first, mm or degrees; null without readings and for tests of another kind.
+/// Returns the channel of a drift test named as its axis, otherwise its first; empty without readings.
+[[nodiscard]] DriftChannel mainChannel(const DriftMeasurement &measurement);
+
+/// Returns E_VE of the whole record: largest − smallest deviation at rest of the main channel, mm or degrees;
+/// null without readings.
 [[nodiscard]] std::optional<double> rangeOf(const DriftMeasurement &measurement);
-[[nodiscard]] std::optional<double> rangeAtRest(const Test &test);
 
 /// True if the form shows the device's uncertainty per metre: a rotary axis has no metres, but a value read
 /// from a file must be removable.

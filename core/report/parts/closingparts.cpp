@@ -4,6 +4,7 @@
 
 #include "document/instruments.h"
 #include "language/decimals.h"
+#include "report/parts/thermalparts.h"
 #include "report/words/findingtext.h"
 
 #include <algorithm>
@@ -132,11 +133,12 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
         const Test &test = *evaluated.document->tests[i];
         if (!isDrift(test))
             continue;
-        const auto range = rangeAtRest(test);
-        const QString found = range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
-                                                {Number{*range, deviationQuantity(test), 1}})
-                                    : QString();
-        QStringList texts{found};
+        const auto &drift = std::get<DriftMeasurement>(test.measurement);
+        const auto range = rangeOf(drift);
+        QStringList texts{drift.channels.size() > 1 ? rangesOfChannels(drift, write.language())
+                          : range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
+                                              {Number{*range, deviationQuantity(drift), 1}})
+                                  : QString()};
         for (const Finding &finding : evaluated.tests[i]->findings)
             texts << findingText(finding, write.language());
         texts << QString::fromStdString(test.remarks);

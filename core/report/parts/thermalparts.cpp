@@ -22,11 +22,12 @@ constexpr double hour = 3600;
 constexpr double longRecord = 2 * hour; ///< from which on times are in hours
 constexpr double mostTimeTicks = 8;
 constexpr double mostValueTicks = 5;
+constexpr Text variationTitle = REPORT_TEXT("report", "Variation over the duration");
 constexpr std::array channelRoles{LineRole::machine, LineRole::instrument, LineRole::air,
                                   LineRole::measuredDown};
 
-Quantity quantityOf(const DriftChannel &channel) {
-    return channel.quantity == ChannelQuantity::deviation ? Quantity::deviation : Quantity::angularDeviation;
+Quantity quantityAt(std::size_t place, const std::vector<ThermalChannel> &channels) {
+    return place < channels.size() ? deviationQuantity(channels[place].channel) : Quantity::deviation;
 }
 
 /// Decimals that show two digits of a half width.
@@ -75,10 +76,9 @@ LineFigure overTime(const DriftMeasurement &drift, const Text &title, const Text
     return figure;
 }
 
-std::optional<FigureBand> bandOf(const DriftMeasurement &drift, const std::optional<Variation> &worst) {
+FigureBand bandOf(const DriftMeasurement &drift, const Variation &worst) {
     const double perSecond = 1 / timeScale(drift).seconds;
-    return worst ? std::optional(FigureBand{worst->from * perSecond, worst->to * perSecond, {}})
-                 : std::nullopt;
+    return {worst.from * perSecond, worst.to * perSecond, {}};
 }
 
 std::vector<QPointF> pointsOf(const std::vector<double> &times,
@@ -198,49 +198,52 @@ bool hasThermalPage(const Test &test) {
 }
 
 LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<ThermalChannel> &channels,
-                         std::optional<std::size_t> shown, const Language &language,
-                         const std::optional<Variation> &worst) {
-    const Quantity quantity = channels.empty() ? Quantity::deviation : quantityOf(channels.front().channel);
+                         std::size_t shown, const Language &language,
+                         const std::optional<TakenVariation> &worst) {
+    const Quantity quantity = quantityAt(shown, channels);
     LineFigure figure =
         overTime(drift, REPORT_TEXT("report", "Drift"), REPORT_TEXT("report", "Deviation at rest"),
                  language.unit(quantity), language);
     const double perSecond = 1 / timeScale(drift).seconds;
     const double scale = unitScale(quantity, language.units());
     for (std::size_t i = 0; i < channels.size(); ++i) {
+        if (deviationQuantity(channels[i].channel) != quantity)
+            continue;
         const QString name = QString::fromStdString(channels[i].channel.name);
         figure.lines.push_back({channelRoles.at(i % channelRoles.size()),
                                 name,
                                 {},
                                 pointsOf(drift.times, channels[i].channel.values, perSecond, scale)});
     }
-    if (shown && *shown < channels.size() && channels[*shown].best) {
-        const ThermalResponse &response = channels[*shown].responses[*channels[*shown].best];
+    if (shown < channels.size() && channels[shown].best) {
+        const ThermalResponse &response = channels[shown].responses[*channels[shown].best];
         std::vector<QPointF> points;
         for (std::size_t i = 0; i < response.times.size(); ++i)
             points.emplace_back(response.times[i] * perSecond, response.fitted[i] * scale);
         figure.lines.push_back({LineRole::fitted,
                                 {},
                                 language.sentence({REPORT_TEXT("report", "response of %1 to “%2”"),
-                                                   {channels[*shown].channel.name,
-                                                    drift.temperatures[*channels[*shown].best].measures},
+                                                   {channels[shown].channel.name,
+                                                    drift.temperatures[*channels[shown].best].measures},
                                                    {}}),
                                 std::move(points)});
     }
-    figure.band = bandOf(drift, worst);
-    if (worst) {
+    if (worst && deviationQuantity(worst->channel) == quantity) {
+        const Variation &most = worst->variation;
+        figure.band = bandOf(drift, most);
         figure.band->label = language.sentence(
             {REPORT_TEXT("report", "the %1 in which %2 varies most"),
-             {durationText(worst->to - worst->from, language).toStdString(), mainChannel(drift).name},
+             {durationText(most.to - most.from, language).toStdString(), worst->channel.name},
              {}});
         figure.span =
-            FigureSpan{worst->low * scale, worst->high * scale,
-                       language.number(worst->value, quantity, 1) + QChar::Nbsp + language.unit(quantity)};
+            FigureSpan{most.low * scale, most.high * scale,
+                       language.number(most.value, quantity, 1) + QChar::Nbsp + language.unit(quantity)};
     }
     return finished(std::move(figure), language);
 }
 
 LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &language,
-                             const std::optional<Variation> &worst) {
+                             const std::optional<TakenVariation> &worst) {
     LineFigure figure = overTime(drift, REPORT_TEXT("report", "Temperatures"),
                                  REPORT_TEXT("report", "Temperature"), QStringLiteral("°C"), language);
     for (std::size_t i = 0; i < drift.temperatures.size(); ++i) {
@@ -251,21 +254,22 @@ LineFigure temperatureFigure(const DriftMeasurement &drift, const Language &lang
              {},
              pointsOf(drift.times, drift.temperatures[i].values, 1 / timeScale(drift).seconds, 1)});
     }
-    figure.band = bandOf(drift, worst);
+    if (worst)
+        figure.band = bandOf(drift, worst->variation);
     return finished(std::move(figure), language);
 }
 
-LineFigure variationFigure(const DriftMeasurement &drift, const Language &language) {
+LineFigure variationFigure(const DriftMeasurement &drift, Quantity quantity, const Language &language) {
     constexpr int steps = 60;
     const std::vector<DriftChannel> channels = channelsOf(drift);
-    const Quantity quantity = channels.empty() ? Quantity::deviation : quantityOf(channels.front());
-    LineFigure figure = overTime(drift, REPORT_TEXT("report", "Variation over the duration"), {},
-                                 language.unit(quantity), language);
+    LineFigure figure = overTime(drift, variationTitle, {}, language.unit(quantity), language);
     figure.x.quantity = language.text(REPORT_TEXT("report", "Duration of the window T"));
     figure.y.symbol = QStringLiteral("E");
     figure.y.subscript = QStringLiteral("VE");
     const double lasts = drift.times.empty() ? 0 : drift.times.back() - drift.times.front();
     for (std::size_t i = 0; i < channels.size(); ++i) {
+        if (deviationQuantity(channels[i]) != quantity)
+            continue;
         const QString name = QString::fromStdString(channels[i].name);
         FigureLine line{channelRoles.at(i % channelRoles.size()), name, {}, {}};
         for (int step = 1; step <= steps; ++step) {
@@ -284,9 +288,12 @@ Table responseTable(const DriftMeasurement &drift, const std::vector<ThermalChan
     constexpr double number = 20; // mm
     constexpr double interval = 28;
     const Writer write(language);
-    const Quantity quantity = channels.empty() ? Quantity::deviation : quantityOf(channels.front().channel);
-    const double scale = unitScale(quantity, language.units());
-    const QString unit = language.unit(quantity);
+    const auto unitOf = [&](const ThermalChannel &one) {
+        return language.unit(deviationQuantity(one.channel));
+    };
+    const bool mixed = std::ranges::any_of(
+        channels, [&](const ThermalChannel &one) { return unitOf(one) != unitOf(channels.front()); });
+    const QString unit = channels.empty() || mixed ? QString() : unitOf(channels.front());
     Table table;
     table.columns = {
         write.column(REPORT_TEXT_FOR("report", "Channel", "of a drift test"), 16),
@@ -298,7 +305,9 @@ Table responseTable(const DriftMeasurement &drift, const std::vector<ThermalChan
         columnOf(QStringLiteral("b"), number - 3, Alignment::decimal, unit + QStringLiteral("/h")),
         columnOf(QStringLiteral("s"), number - 4, Alignment::decimal, unit)};
     for (const ThermalChannel &one : channels) {
-        const QString name = QString::fromStdString(one.channel.name);
+        const QString name = QString::fromStdString(one.channel.name) +
+                             (mixed ? QStringLiteral(" (%1)").arg(unitOf(one)) : QString());
+        const double scale = unitScale(deviationQuantity(one.channel), language.units());
         if (!one.best) {
             QStringList why;
             for (std::size_t i = 0; i < one.responses.size(); ++i)
@@ -378,6 +387,18 @@ QString driftCaseNote(const DriftCases &cases, const Language &language) {
         note += u' ' + language.text(REPORT_TEXT("report", "θ held to ± Δ: at most 2Δ·|k|·(1 − e^(−T/τ)) "
                                                            "plus the variation of x − k·y over T."));
     return note;
+}
+
+QString rangesOfChannels(const DriftMeasurement &drift, const Language &language) {
+    QStringList ranges;
+    for (const DriftChannel &channel : channelsOf(drift)) {
+        if (const auto whole = variationOf(drift.times, channel.values, std::nullopt))
+            ranges << QString::fromStdString(channel.name) + u' ' +
+                          language.quantity(whole->value, deviationQuantity(channel), 1);
+    }
+    return ranges.isEmpty() ? QString()
+                            : language.sentence(REPORT_TEXT("report", "Ranges of the record: %1"),
+                                                {ranges.join(language.semicolon()).toStdString()});
 }
 
 QStringList thermalNotes(const DriftMeasurement &drift, const std::vector<ThermalChannel> &channels,
@@ -461,6 +482,56 @@ VerdictLine causeLine(const DriftMeasurement &drift, const ThermalChannel &chann
     return line;
 }
 
+std::size_t placeOf(const DriftChannel &channel, const std::vector<ThermalChannel> &channels) {
+    const auto found = std::ranges::find(channels, channel, &ThermalChannel::channel);
+    return static_cast<std::size_t>(found == channels.end() ? 0 : found - channels.begin());
+}
+
+/// Lengths and angles have figures of their own: `shown` and the first channel of the other unit, if any.
+std::vector<std::size_t> firstOfEachUnit(const std::vector<ThermalChannel> &channels, std::size_t shown) {
+    std::vector<std::size_t> result{shown};
+    const auto other = std::ranges::find_if(channels, [&](const ThermalChannel &one) {
+        return one.channel.quantity != channels[shown].channel.quantity;
+    });
+    if (other != channels.end())
+        result.push_back(static_cast<std::size_t>(other - channels.begin()));
+    return result;
+}
+
+/// The record over its time, the temperatures below.
+void addChannelFigures(std::vector<Block> &blocks, const DriftMeasurement &drift,
+                       const std::vector<ThermalChannel> &channels,
+                       const std::vector<std::size_t> &ofEachUnit, const std::optional<TakenVariation> &worst,
+                       const Language &language) {
+    constexpr double driftHeight = 40; // mm
+    constexpr double leastDrift = 35;
+    constexpr double temperatureHeight = 26;
+    constexpr double leastTemperature = 23;
+    const bool hasTemperatures = !drift.temperatures.empty();
+    std::vector<LineFigure> drawn;
+    QStringList fitted;
+    for (const std::size_t one : ofEachUnit) {
+        LineFigure &figure = drawn.emplace_back(channelFigure(drift, channels, one, language, worst));
+        for (FigureLine &line : figure.lines) { // a legend would take a row
+            if (line.role == LineRole::fitted)
+                fitted << std::exchange(line.name, {});
+        }
+        if (hasTemperatures || one != ofEachUnit.back())
+            figure.x.quantity.clear(); // the figure below has the same axis
+    }
+    addHeading(blocks,
+               language.text(hasTemperatures ? REPORT_TEXT("report", "Drift and temperatures")
+                                             : REPORT_TEXT("report", "Drift")),
+               fitted.isEmpty() ? QString()
+                                : language.sentence(REPORT_TEXT("report", "thin black line: %1"),
+                                                    {fitted.join(language.semicolon()).toStdString()}));
+    for (LineFigure &figure : drawn)
+        blocks.emplace_back(FigureBlock{std::move(figure), textWidth, driftHeight, leastDrift});
+    if (hasTemperatures)
+        blocks.emplace_back(FigureBlock{temperatureFigure(drift, language, worst), textWidth,
+                                        temperatureHeight, leastTemperature});
+}
+
 } // namespace
 
 std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t test,
@@ -469,66 +540,40 @@ std::vector<Block> thermalBlocks(const EvaluatedDocument &evaluated, std::size_t
     const auto &drift = std::get<DriftMeasurement>(evaluated.document->tests[test]->measurement);
     const std::vector<ThermalChannel> channels = thermalChannels(drift);
     std::vector<Block> blocks;
-    const auto named = std::ranges::find(channels, drift.axis.name,
-                                         [](const ThermalChannel &one) { return one.channel.name; });
-    const auto shown = static_cast<std::size_t>(named == channels.end() ? 0 : named - channels.begin());
-    constexpr double driftHeight = 40; // mm
-    constexpr double leastDrift = 35;
-    constexpr double temperatureHeight = 26;
-    constexpr double leastTemperature = 23;
-    constexpr double variationHeight = 40;
+    constexpr double variationHeight = 40; // mm
     constexpr double half = 80;
     const bool hasTemperatures = !drift.temperatures.empty();
     const std::vector<std::size_t> users =
         testsTaking(*evaluated.document, evaluated.document->tests[test]->id);
-    std::optional<Variation> worst;
-    if (!users.empty() && !channels.empty()) {
+    std::optional<TakenVariation> worst;
+    if (!users.empty())
+        worst = takenVariation(*evaluated.document, evaluated.document->tests[test]->id,
+                               *evaluated.document->tests[users.front()]);
+    const std::size_t shown = placeOf(worst ? worst->channel : mainChannel(drift), channels);
+    if (worst) {
         const Test &taking = *evaluated.document->tests[users.front()];
-        if (taking.duration) // otherwise the window is the whole record
-            worst = driftVariation(*evaluated.document, evaluated.document->tests[test]->id, taking);
-        if (worst && worst->value <= 0)
-            worst.reset(); // a reading that does not move varies nowhere most
+        if (!taking.duration ||          // the window is the whole record
+            worst->variation.value <= 0) // a reading that does not move varies nowhere most
+            worst.reset();
         const DriftCases cases = driftCases(evaluated, users.front());
         if (!cases.cases.empty())
             blocks.emplace_back(
                 causeLine(drift, channels[shown], cases, motionOf(taking) == Motion::rotary, language));
     }
-    LineFigure drawn = channelFigure(drift, channels, shown, language, worst);
-    Phrase note;
-    for (FigureLine &line : drawn.lines) { // a legend would take a row
-        if (line.role == LineRole::fitted)
-            note = write.say(REPORT_TEXT("report", "thin black line: %1"),
-                             {std::exchange(line.name, {}).toStdString()});
-    }
-    if (hasTemperatures)
-        drawn.x.quantity.clear(); // the figure below has the same axis
-    addHeading(blocks,
-               write.text(hasTemperatures ? REPORT_TEXT("report", "Drift and temperatures")
-                                          : REPORT_TEXT("report", "Drift")),
-               note);
-    blocks.emplace_back(FigureBlock{std::move(drawn), textWidth, driftHeight, leastDrift});
-    if (hasTemperatures)
-        blocks.emplace_back(FigureBlock{temperatureFigure(drift, language, worst), textWidth,
-                                        temperatureHeight, leastTemperature});
-    QStringList ranges;
-    for (const ThermalChannel &one : channels) {
-        if (one.whole)
-            ranges << QString::fromStdString(one.channel.name) + u' ' +
-                          write.quantity(one.whole->value, quantityOf(one.channel), 1);
-    }
-    LineFigure variation = variationFigure(drift, language);
-    std::vector<Part> left{Heading{2, variation.title}};
-    left.emplace_back(FigureBlock{std::move(variation), half, variationHeight, variationHeight});
+    const std::vector<std::size_t> ofEachUnit = firstOfEachUnit(channels, shown);
+    addChannelFigures(blocks, drift, channels, ofEachUnit, worst, language);
+    std::vector<Part> left{Heading{2, write.text(variationTitle)}};
+    for (const std::size_t one : ofEachUnit)
+        left.emplace_back(FigureBlock{variationFigure(drift, quantityAt(one, channels), language), half,
+                                      variationHeight, variationHeight});
     std::vector<Part> right;
     if (hasTemperatures) {
         right.emplace_back(Heading{2, write.text(REPORT_TEXT("report", "Response to the temperature")),
                                    QStringLiteral("95\u00A0%")});
         right.emplace_back(inHalf(responseTable(drift, channels, language)));
     }
-    if (!ranges.isEmpty())
-        right.emplace_back(Paragraph{write.say(REPORT_TEXT("report", "Ranges of the record: %1"),
-                                               {ranges.join(language.semicolon()).toStdString()}),
-                                     TextSize::small});
+    if (const QString ranges = rangesOfChannels(drift, language); !ranges.isEmpty())
+        right.emplace_back(Paragraph{ranges, TextSize::small});
     blocks.emplace_back(SideBySide{std::move(left), std::move(right), half});
     QString caseNote;
     for (const std::size_t user : users) {

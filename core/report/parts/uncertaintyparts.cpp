@@ -176,7 +176,8 @@ void addDriftCurve(std::vector<Block> &blocks, const TestPart &part) {
     const auto index = static_cast<std::size_t>(
         std::ranges::find(tests, drift, [](const TestPointer &test) { return test.get(); }) - tests.begin());
     FigureBlock block;
-    CurveFigure figure = driftFigure(*drift, *part.evaluated.tests[index], part.write.language());
+    CurveFigure figure = driftFigure(*drift, *part.evaluated.tests[index], part.write.language(),
+                                     takenVariation(part.document(), drift->id, part.test));
     if (figure.curves.empty())
         return;
     blocks.emplace_back(Heading{3, figure.title});

@@ -75,7 +75,7 @@ private slots:
         QVERIFY(!found->isLowerBound);
         const Document endless = withDrift({});
         const auto whole = driftVariation(endless, "d", positioning(endless));
-        QCOMPARE(whole->value, *rangeAtRest(*endless.tests[0]));
+        QCOMPARE(whole->value, *rangeOf(std::get<DriftMeasurement>(endless.tests[0]->measurement)));
         QVERIFY(whole->value > 2 * found->value);
     }
 
@@ -133,6 +133,67 @@ private slots:
         editMeasurement<DriftMeasurement>(document, 0,
                                           [](DriftMeasurement &drift) { drift.channels[0].name = "Z"; });
         QVERIFY(!driftVariation(document, "d", positioning(document)));
+    }
+
+    /// A number beside the drift test wins: the test takes nothing from it.
+    void aNumberTakesNothing() {
+        Document document = withDrift(40);
+        const auto takers = [&] { return testsTaking(document, "d").size(); };
+        const auto cases = [&] {
+            return driftCases(evaluate(std::make_shared<const Document>(document)), 1).cases.size();
+        };
+        QCOMPARE(takers(), std::size_t(1));
+        QVERIFY(cases() > 0);
+        editMeasurement<PositioningMeasurement>(document, 1, [](PositioningMeasurement &measurement) {
+            measurement.uncertainty.environmentalVariation = 3;
+        });
+        QCOMPARE(takers(), std::size_t(0));
+        QCOMPARE(cases(), std::size_t(0));
+    }
+
+    /// The page of a record of two axes shows the channel that the test takes.
+    void thePageShowsTheChannelThatIsTaken() {
+        Document document = withDrift(40);
+        editMeasurement<PositioningMeasurement>(
+            document, 1, [](PositioningMeasurement &measurement) { measurement.axis.name = "Y"; });
+        editMeasurement<DriftMeasurement>(document, 0,
+                                          [](DriftMeasurement &drift) { drift.axis.name = "X"; });
+        const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(document));
+        const auto blocks = thermalBlocks(evaluated, 0, Language(Language::Id::english));
+        QCOMPARE(std::get<VerdictLine>(blocks.front()).label.simplified(), "Variation of Y in 40 min");
+        const auto figure = std::ranges::find_if(
+            blocks, [](const Block &block) { return std::holds_alternative<FigureBlock>(block); });
+        const auto &drawn = std::get<LineFigure>(*std::get<FigureBlock>(*figure).figure);
+        QVERIFY(drawn.band && drawn.band->label.contains("in which Y varies most"));
+    }
+
+    /// Lengths and angles have figures and numbers in their own units.
+    void anglesAreNotDrawnAsLengths() {
+        Document document = withDrift(40);
+        editMeasurement<DriftMeasurement>(document, 0, [](DriftMeasurement &drift) {
+            drift.channels[1].quantity = ChannelQuantity::angularDeviation;
+        });
+        const Language english(Language::Id::english);
+        const auto &drift = std::get<DriftMeasurement>(document.tests[0]->measurement);
+        const std::vector<ThermalChannel> channels = thermalChannels(drift);
+        for (const auto &[shown, unit, scale] : {std::tuple{0, "µm", 1000.0}, std::tuple{1, "″", 3600.0}}) {
+            const LineFigure figure =
+                channelFigure(drift, channels, static_cast<std::size_t>(shown), english);
+            QCOMPARE(figure.y.unit, unit);
+            QCOMPARE(figure.lines[0].points[100].y(),
+                     *drift.channels[std::size_t(shown)].values[100] * scale);
+            QCOMPARE(std::ranges::count_if(figure.lines,
+                                           [](const FigureLine &line) { return !line.label.isEmpty(); }),
+                     1);
+            const Quantity quantity = deviationQuantity(drift.channels[std::size_t(shown)]);
+            QCOMPARE(variationFigure(drift, quantity, english).lines.size(), std::size_t(1));
+        }
+        const Table table = responseTable(drift, channels, english);
+        QCOMPARE(table.columns[2].unit, "/°C");
+        QCOMPARE(table.rows[0][0].text.plain(), "X (µm)");
+        QCOMPARE(table.rows[1][0].text.plain(), "Y (″)");
+        const double k = table.rows[1][2].text.plain().replace(QChar(0x2212), '-').toDouble();
+        QVERIFY(std::abs(k - channels[1].responses[0].k * 3600) < 0.1 * std::abs(k));
     }
 
     void theResponseIsTheOneItWasMadeFrom() {

@@ -183,6 +183,8 @@ private slots:
     void aRowNotProvenIsMappedLikeAParameter_data();
     void aRowNotProvenIsMappedLikeAParameter();
     void onlyAnEvaluatedUncertaintyIsSaidToBeOne();
+    void aSensorWithoutATemperatureKeepsItsPosition();
+    void everyChannelOfADriftHasItsRange();
 
 private:
     static void addFiles() {
@@ -409,6 +411,38 @@ void DccTest::onlyAnEvaluatedUncertaintyIsSaidToBeOne() {
     };
     QVERIFY(says(DOCUMENTS "budget-2006.palmer"));
     QVERIFY(!says(DOCUMENTS "limits-2006.palmer")); // stated by the laboratory
+}
+
+void DccTest::aSensorWithoutATemperatureKeepsItsPosition() {
+    Document document = stated(openDocument(DOCUMENTS "budget-2006.palmer"));
+    editMeasurement<PositioningMeasurement>(document, 0, [](PositioningMeasurement &measurement) {
+        measurement.conditions.common.sensors = {{SensorMeasures::machine, "below the table", {}, {}, {}}};
+    });
+    const QByteArray certificate = dcc(evaluate(std::make_shared<const Document>(document)));
+    QVERIFY(certificate.contains("Temperature: Machine, below the table"));
+}
+
+void DccTest::everyChannelOfADriftHasItsRange() {
+    Document document = stated(openDocument(DOCUMENTS "budget-2006.palmer"));
+    DriftMeasurement drift;
+    drift.axis.name = "X";
+    drift.times = {0, 60};
+    drift.channels = {{"X", ChannelQuantity::deviation, {0.0, 0.001}},
+                      {"A", ChannelQuantity::angularDeviation, {0.0, 0.5 / 3600}}};
+    Test test;
+    test.date = "2026-11-20";
+    test.measurement = drift;
+    document.tests.push_back(std::make_shared<const Test>(test));
+    const QString certificate =
+        QString::fromUtf8(dcc(evaluate(std::make_shared<const Document>(document)))).simplified();
+    const auto valueAfter = [&](const char *name) {
+        const QString rest = certificate.mid(certificate.indexOf(name));
+        return rest.section("<si:value>", 1, 1).section("</si:unit>", 0, 0);
+    };
+    QVERIFY(valueAfter("E_VE of X, whole record").startsWith("1<"));
+    QVERIFY(valueAfter("E_VE of X, whole record").endsWith("\\micro\\metre"));
+    QVERIFY(valueAfter("E_VE of A, whole record").startsWith("0.5<"));
+    QVERIFY(valueAfter("E_VE of A, whole record").endsWith("\\arcsecond"));
 }
 
 QTEST_GUILESS_MAIN(DccTest)

@@ -53,6 +53,23 @@ private slots:
                 figure.legend[0].text.contains(u"3.2\u202Fµm"_s));
     }
 
+    /// A test takes the channel of its axis, and of that the window of its duration.
+    void whatATestTakesIsDrawn() {
+        Test test = driftTest({0, 10, 20, 30}, {});
+        auto &drift = std::get<DriftMeasurement>(test.measurement);
+        drift.channels = {{"X", ChannelQuantity::deviation, {0.0, 0.001, 0.002, 0.003}},
+                          {"Y", ChannelQuantity::deviation, {0.0, 0.001, 0.005, 0.006}}};
+        const TakenVariation taken{drift.channels[1], {0.004, 10, 20, 0.001, 0.005, 30, 10, false}};
+        const CurveFigure figure =
+            driftFigure(test, evaluateTest(test, {}), Language(Language::Id::english), taken);
+        QCOMPARE(figure.title, u"Drift of “Y”"_s);
+        QCOMPARE(figure.curves[0].points[3].y, 6.0);
+        QCOMPARE(figure.dimensions[0].lower, 1.0);
+        QCOMPARE(figure.dimensions[0].upper, 5.0);
+        QVERIFY(figure.legend[0].text.contains(u"within the duration of the test"_s));
+        QVERIFY(figure.legend[0].text.contains(u"4.0"_s));
+    }
+
     void theTitleNamesAxisOrChannel() {
         Test test = driftTest({0, 10}, {0, 0.001});
         QCOMPARE(figureOf(test).title, u"Drift of the X axis"_s);

@@ -108,9 +108,22 @@ private slots:
     void range() {
         QCOMPARE(rangeOf(std::get<DriftMeasurement>(drift().measurement)), std::optional(0.75));
         QVERIFY(!rangeOf(DriftMeasurement()));
-        QCOMPARE(rangeAtRest(drift()), std::optional(0.75));
-        QVERIFY(!rangeAtRest(positioning()));
-        QVERIFY(!rangeAtRest(testOf(Kind::drift)));
+    }
+
+    /// A drift test of a linear axis may record angles.
+    void theMainChannelHasTheQuantity() {
+        DriftMeasurement measurement;
+        measurement.axis.name = "X";
+        QCOMPARE(deviationQuantity(measurement), Quantity::deviation);
+        measurement.channels = {{"A", ChannelQuantity::angularDeviation, {0.0, 0.001}}};
+        QCOMPARE(deviationQuantity(measurement), Quantity::angularDeviation);
+        measurement.channels.push_back({"X", ChannelQuantity::deviation, {0.0, 0.001}});
+        Test test;
+        test.measurement = measurement;
+        QCOMPARE(deviationQuantity(test), Quantity::deviation);
+        DriftMeasurement rotary;
+        rotary.axis.motion = Motion::rotary;
+        QCOMPARE(deviationQuantity(rotary), Quantity::angularDeviation);
     }
 
     void kinds() {
