@@ -12,6 +12,7 @@
 #include "report/blocks/pagetext.h"
 #include "report/parts/parts.h"
 #include "report/tables/summary.h"
+#include "report/words/wording.h"
 
 #include <QDir>
 #include <QFile>
@@ -1491,6 +1492,33 @@ private slots:
         const QString all = text(std::make_shared<const Document>(changed), Language(Language::Id::english));
         QVERIFY2(all.contains("Figure drawn about the centre of the " + said), qPrintable(all));
         QVERIFY(edition != "ISO 230-4:1996" || !all.contains("G(b)XY"));
+    }
+
+    void whatTheInstrumentCorrectedIsCorrected() {
+        const auto says = [](CorrectionTo20 correction) {
+            Document changed = *document("iso230-4-full-circles-xy");
+            Test test = *changed.tests[0];
+            std::get<CircularMeasurement>(test.measurement).conditions.common.correctionTo20 = correction;
+            changed.tests[0] = std::make_shared<const Test>(test);
+            return pageText(
+                       report(std::make_shared<const Document>(changed), Language(Language::Id::english)))
+                .replace(QChar::Nbsp, ' ')
+                .contains("without correction to 20 °C");
+        };
+        QVERIFY(says(CorrectionTo20::notApplied));
+        QVERIFY(!says(CorrectionTo20::appliedByInstrument));
+    }
+
+    void symbolsOfSentencesHaveSubscripts() {
+        for (const auto &[sentence, subscript] :
+             {std::pair("gives no E_VE for", "VE"), std::pair("The limit of G(b)f cannot", "f"),
+              std::pair("Gf, H", "f"), std::pair("the range of Gfx", "")}) {
+            const Phrase phrase = withSymbols(sentence, {});
+            QString lower;
+            for (const Span &span : phrase.spans)
+                lower += span.subscript ? span.text : QString();
+            QCOMPARE(lower, subscript);
+        }
     }
 
     /// Ū and P are other definitions, not other factors.

@@ -119,6 +119,7 @@ private slots:
     void textsDoNotOverlap_data();
     void textsDoNotOverlap();
     void tooSmallDrawsNothing();
+    void namesOfLinesAreWithinTheFigure();
 };
 
 void DrawFigure::fontIsTheShippedOne() {
@@ -367,6 +368,31 @@ void DrawFigure::tooSmallDrawsNothing() {
     const CurveFigure figure = emptyFigure();
     const Drawn result = drawn(figure, Medium::screenLight, {40, 30}, {0, 0, 40, 30});
     QVERIFY(result.transform.plotArea.isEmpty());
+}
+
+/// The name at the end of a line is within the figure, however long it is.
+void DrawFigure::namesOfLinesAreWithinTheFigure() {
+    const Language language(Language::Id::english);
+    for (const QString &name : {u"spindle"_s, u"column, 300 mm above the table, facing the door"_s}) {
+        LineFigure figure;
+        setRange(figure.x, 0, 10, 5, TickSteps::values, language);
+        setRange(figure.y, 0, 10, 5, TickSteps::values, language);
+        figure.lines.push_back({LineRole::machine, name, {}, {{0, 0}, {10, 10}}});
+        const QSizeF size(496, 113); // 175 mm × 40 mm in points
+        TextRecorder recorder(size.toSize());
+        QPainter painter(&recorder);
+        drawFigure(painter, {QPointF(0, 0), size}, figure, Medium::paper);
+        painter.end();
+        int found = 0;
+        for (const RecordedText &text : recorder.texts) {
+            if (!text.text.startsWith(name.left(5)))
+                continue;
+            ++found;
+            QVERIFY(text.box.right() <= size.width());
+            QCOMPARE(text.text.endsWith(u'…'), name.size() > 20);
+        }
+        QCOMPARE(found, 1);
+    }
 }
 
 QTEST_MAIN(DrawFigure)
