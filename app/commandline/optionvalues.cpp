@@ -139,7 +139,10 @@ CsvMarks csvMarks(const Invocation &invocation) {
 }
 
 std::size_t testIndex(const Invocation &invocation, std::size_t count) {
-    const QString word = invocation.value("test").value_or(QStringLiteral("1"));
+    return testIndex(invocation.value("test").value_or(QStringLiteral("1")), count);
+}
+
+std::size_t testIndex(const QString &word, std::size_t count) {
     bool isNumber = false;
     const uint number = word.toUInt(&isNumber);
     if (!isNumber || number < 1 || number > count)

@@ -54,6 +54,7 @@ struct CsvMarks {
 /// Index of the test chosen by --test (from 1) out of `count`; by default the first. Throws UsageError if
 /// there is none.
 [[nodiscard]] std::size_t testIndex(const Invocation &invocation, std::size_t count);
+[[nodiscard]] std::size_t testIndex(const QString &word, std::size_t count);
 
 /// Value of --seed, an integer that a test file can store; null without it. Throws UsageError.
 [[nodiscard]] std::optional<std::int64_t> seedOf(const Invocation &invocation);

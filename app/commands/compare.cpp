@@ -40,23 +40,14 @@ std::optional<EvaluatedDocument> evaluatedFrom(const QString &file, const Invoca
     return evaluate(std::make_shared<const Document>(std::move(*document)));
 }
 
-[[noreturn]] void refuseTests(const QString &given) {
-    refuse("test", given, "1 or 1,2");
-}
-
 /// The tests to be compared, by index. Throws UsageError.
 std::pair<std::size_t, std::size_t> pairOf(const Invocation &invocation, const EvaluatedDocument &a,
                                            const EvaluatedDocument &b) {
     if (const auto asked = invocation.value("test")) {
         const QStringList numbers = asked->split(u',');
-        const auto first = wholeGiven(numbers.first());
-        const auto second = wholeGiven(numbers.last());
-        const auto isIn = [](std::optional<long long> number, const EvaluatedDocument &document) {
-            return number && *number >= 1 && *number <= static_cast<long long>(document.tests.size());
-        };
-        if (numbers.size() > 2 || !isIn(first, a) || !isIn(second, b))
-            refuseTests(*asked);
-        return {static_cast<std::size_t>(*first) - 1, static_cast<std::size_t>(*second) - 1};
+        if (numbers.size() > 2)
+            refuse("test", *asked, compareOptions[0].value);
+        return {testIndex(numbers.first(), a.tests.size()), testIndex(numbers.last(), b.tests.size())};
     }
     for (std::size_t i = 0; i < a.tests.size(); ++i) {
         if (!isJudged(*a.document->tests[i]))

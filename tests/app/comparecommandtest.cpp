@@ -240,7 +240,9 @@ void CompareCommandTest::refusesWhatCannotBeMeant() {
     QCOMPARE(runCli({"compare"}).code, 2);
     QCOMPARE(runCli({"compare", EXAMPLES "rotary-axis.palmer"}).code, 2); // states no other test
     QCOMPARE(runCli({"compare", both, both, both}).code, 2);
-    QCOMPARE(runCli({"compare", both, both, "--test", "1,3"}).code, 2);
+    const auto missing = runCli({"compare", both, both, "--test", "1,3"});
+    QVERIFY2(missing.code == 2 && missing.err.contains("there is no test 3; the file has 2"), missing.err);
+    QCOMPARE(runCli({"compare", both, both, "--test", "1,2,1"}).code, 2);
     QCOMPARE(runCli({"compare", both, both, "--test", "x"}).code, 2);
     QCOMPARE(runCli({"compare", both, both, "--test", "1,2", "--tolerance", "-1"}).code, 2);
     QCOMPARE(runCli({"compare", both, both, "--test", "1,2", "--tolerance", "0"}).code, 2);
