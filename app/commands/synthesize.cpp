@@ -112,6 +112,7 @@ constexpr std::array positioningKeys{
 
 constexpr const char *circularWord = "circular";
 constexpr const char *driftWord = "drift";
+constexpr const char *vibrationWord = "vibration"; // no influence: no diagnosis finds it
 
 [[noreturn]] void refuseSource(const Invocation &invocation, const QString &given) {
     std::string ids;
@@ -122,6 +123,7 @@ constexpr const char *driftWord = "drift";
     } else if (invocation.arguments.front() == QLatin1StringView(circularWord)) {
         for (const Influence &influence : influences())
             add(influence.word);
+        add(vibrationWord);
     } else {
         for (const PositioningKey &key : positioningKeys)
             add(key.id);
@@ -224,7 +226,7 @@ CircularSynthesis circular(const Invocation &invocation) {
             refuse("arc", *arc, "FROM:TO");
     }
     for (const GivenSource &given : givenSources(invocation)) {
-        if (given.id != QLatin1StringView("vibration")) {
+        if (given.id != QLatin1StringView(vibrationWord)) {
             asked.sources.push_back(circularSource(given, asked.plane, invocation));
             continue;
         }

@@ -320,6 +320,8 @@ void SynthesizeCommandTest::wrongUsage() {
     QCOMPARE(result.code, 2);
     QCOMPARE(result.err.count('\n'), 1); // one sentence
     QVERIFY(!QFile::exists(path("no.palmer")));
+    if (arguments.contains("rust=1"))
+        QVERIFY2(result.err.contains("radiusDrift, vibration\n"), result.err); // every one there is
 }
 
 QTEST_GUILESS_MAIN(SynthesizeCommandTest)
