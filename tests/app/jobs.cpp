@@ -3,9 +3,12 @@
 #include "commandline/jobs.h"
 
 #include <QTest>
+#include <array>
 #include <csignal>
 #include <cstdio>
+#include <poll.h>
 #include <random>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
@@ -36,6 +39,7 @@ private slots:
     void answersOfAnySizeComeWhole();
     void oneInputStaysInThisProcess();
     void resultsAreParted();
+    void nobodyWorksOnForACommandThatWasEnded();
 };
 
 void JobsTest::everyInputIsHeardOnceAndInOrder_data() {
@@ -151,6 +155,31 @@ void JobsTest::resultsAreParted() {
               [](int, const JobResult &) {}, [](int) { return 3; }, true};
     eachJob(4, 2, jobs);
     QCOMPARE(printed, QByteArray("0\n\n2\n\n3\n"));
+}
+
+void JobsTest::nobodyWorksOnForACommandThatWasEnded() {
+    std::array<int, 2> ends{}; // the writing end is open as long as a process has it
+    QCOMPARE(::pipe(ends.data()), 0);
+    const pid_t command = ::fork();
+    if (command == 0) {
+        eachJob(2, 2,
+                {[&](int) -> JobResult {
+                     for (char begun = 'b'; ::write(ends[1], &begun, 1) == 1;)
+                         ::sleep(1000);
+                     return {};
+                 },
+                 [](int, const JobResult &) {}, [](int) { return 3; }});
+        ::_exit(0);
+    }
+    ::close(ends[1]);
+    char begun = 0;
+    for (int workers = 0; workers < 2; ++workers)
+        QCOMPARE(::read(ends[0], &begun, 1), ssize_t(1));
+    QVERIFY(::kill(command, SIGKILL) == 0 && ::waitpid(command, nullptr, 0) == command);
+    pollfd open{ends[0], POLLIN, 0};
+    QCOMPARE(::poll(&open, 1, 30'000), 1);
+    QCOMPARE(::read(ends[0], &begun, 1), ssize_t(0)); // nobody has it any more
+    ::close(ends[0]);
 }
 
 QTEST_GUILESS_MAIN(JobsTest)

@@ -8,10 +8,12 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -152,8 +154,12 @@ private:
             return false;
         std::fflush(stdout);
         std::fflush(stderr);
+        const pid_t parent = ::getpid();
         const pid_t process = ::fork();
         if (process == 0) {
+            // Ends with the command, however long its work is.
+            if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent)
+                ::_exit(1);
             ::close(ends[0]);
             for (const Worker &other : m_workers)
                 ::close(other.pipe);
