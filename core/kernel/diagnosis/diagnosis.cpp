@@ -187,8 +187,11 @@ private:
             source.width = term.shape;
         if (term.id == InfluenceId::radiusDrift && hasSecond(j))
             source.step = source.fitted[1];
-        if (term.id == InfluenceId::centre)
-            value += term.axis == PlaneAxis::first ? m_centres.front().x : m_centres.front().y;
+        if (term.id == InfluenceId::centre) {
+            const Point &setUp = m_circles.front().setUp;
+            value +=
+                term.axis == PlaneAxis::first ? m_centres.front().x + setUp.x : m_centres.front().y + setUp.y;
+        }
         for (const FoundInfluence &one : found) {
             if (one.id == term.id && one.axis == term.axis) {
                 source.proposed = true;
@@ -479,6 +482,8 @@ DiagnosedCircle diagnosedCircle(const CircularMeasurement &measurement, const Ci
         results.paths.size() == 1 ? iso230_4::circleOf(results.paths.front().sense) : CircleOf::both;
     if (const CircleResult *fitted = results.circle(of, ReferenceCircle::leastSquares))
         circle.centre = fitted->centre;
+    if (results.centringError)
+        circle.setUp = {-results.centringError->x, -results.centringError->y};
     return circle;
 }
 

@@ -33,6 +33,7 @@ struct DiagnosedCircle {
     double resolution = 0;      ///< of the readings, mm; 0: finer than can be told
     std::vector<DiagnosedArc> arcs;
     std::optional<Point> centre; ///< least squares centre, if already known
+    Point setUp;                 ///< already taken out of the points: centre as the instrument saw it, mm
 };
 
 /// Returns the evaluated arcs of a test. `results` must outlive it.

@@ -17,7 +17,9 @@ namespace palmer::testdata {
 struct MadeCircle {
     explicit MadeCircle(CircularMeasurement made)
         : measurement(std::move(made)) {
-        results.paths = iso230_4::paths(measurement).evaluated;
+        iso230_4::Paths paths = iso230_4::paths(measurement);
+        results.paths = std::move(paths.evaluated);
+        results.centringError = paths.centringError;
     }
     [[nodiscard]] DiagnosedCircle circle() const { return diagnosedCircle(measurement, results); }
 
