@@ -460,7 +460,7 @@ void fields(Visit &visit, T &measurement) {
 
 template <class Visit, Like<DriftChannel> T>
 void fields(Visit &visit, T &channel) {
-    visit("name", channel.name, obligatory);
+    visit("name", channel.name);
     visit("quantity", channel.quantity);
     visit("values", channel.values,
           obligatory | reading |
@@ -470,7 +470,7 @@ void fields(Visit &visit, T &channel) {
 
 template <class Visit, Like<DriftTemperature> T>
 void fields(Visit &visit, T &temperature) {
-    visit("measures", temperature.measures, obligatory);
+    visit("measures", temperature.measures);
     visit("resolution", temperature.resolution, notNegative | FileUnit::temperatureRange);
     visit("values", temperature.values, obligatory | celsius | FileUnit::temperature);
 }

@@ -54,6 +54,7 @@ private slots:
     void asksForASignThatWasAssumed();
     void inventsNoDirection();
     void writesTheProgramOfTheTestItself();
+    void sensorsWithoutANameComeBackFromCsv();
     void comparesWithTheTableOfAControl();
     void writesThePointsOfAFigure();
     void refusesHugeFilesAtOnce();
@@ -392,6 +393,20 @@ void ImportExportTest::writesTheProgramOfTheTestItself() {
     const Result unknown = run(wanted + QStringList{"--set", "machine.controller=Other"});
     QVERIFY2(unknown.code == 2 && unknown.err.contains("--dialect iso|siemens"), qPrintable(unknown.err));
     QCOMPARE(run({"export", file, "--as", "program", "-o", at("p.pdf")}).code, 2);
+}
+
+void ImportExportTest::sensorsWithoutANameComeBackFromCsv() {
+    const QByteArray file = R"({"format": "palmer test report", "version": 3, "tests": [{"kind": "drift",
+        "axis": {"name": "X"}, "times": [0, 10, 20],
+        "channels": [{"name": "X", "values": [0, 0.001, 0.002]}, {"name": "", "values": [0, null, 0.003]}],
+        "temperatures": [{"measures": "", "resolution": 0.1, "values": [20, 20.1, 20.2]}]}]})";
+    const CliResult csv = runCli({"export", "-", "--as", "csv", "-o", at("unnamed.csv")}, file);
+    QVERIFY2(csv.code == 0, csv.err);
+    const CliResult back = runCli({"import", at("unnamed.csv"), "--accept", "-o", "-"});
+    QVERIFY2(back.code == 0, back.err);
+    const QJsonObject test = QJsonDocument::fromJson(back.out).object()["tests"][0].toObject();
+    QCOMPARE(test["channels"][1]["values"][2].toDouble(), 0.003);
+    QCOMPARE(test["temperatures"][0]["values"][1].toDouble(), 20.1);
 }
 
 void ImportExportTest::comparesWithTheTableOfAControl() {
