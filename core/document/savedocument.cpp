@@ -12,6 +12,8 @@
 #include <QFile>
 #include <QFileInfo>
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 namespace palmer {
 
@@ -71,8 +73,13 @@ QByteArray readBlocks(const QString &path, qint64 limit, ReadProgress *progress,
     const QFileInfo info(there.name());
     if (info.isDir())
         refuse(Error::Kind::unreadable, REPORT_TEXT("report", "this is a folder; expected a test file"));
-    if (!info.exists())
-        refuse(Error::Kind::unreadable, REPORT_TEXT("report", "there is no such file"));
+    if (!info.exists()) {
+        std::error_code error;
+        if (std::filesystem::status(pathOf(there.name()), error).type() ==
+            std::filesystem::file_type::not_found)
+            refuse(Error::Kind::unreadable, REPORT_TEXT("report", "there is no such file"));
+        refuseReading(); // its folder cannot be entered
+    }
     if (!info.isFile()) // opening a pipe blocks until there is a writer; a device may have no end
         refuse(Error::Kind::unreadable,
                REPORT_TEXT("report", "this is a device or a pipe; expected a file on a disk"));

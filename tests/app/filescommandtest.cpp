@@ -262,6 +262,16 @@ private slots:
         QCOMPARE(endless.exitCode(), 3);
     }
 
+    /// A link to itself, like a folder that may not be entered, says nothing about the file.
+    void whatCannotBeReachedIsNotSaidToBeMissing() {
+        const QTemporaryDir folder;
+        const QString loop = folder.filePath("loop.palmer");
+        QVERIFY(QFile::link(loop, loop));
+        const CliResult result = runCli({"evaluate", loop});
+        QCOMPARE(result.code, 3);
+        QVERIFY2(result.err.contains("check its permissions"), result.err);
+    }
+
     /// Damaged in every way, under every name, through every command that reads: never a table.
     void aDamagedTestFileIsNoTable() {
         const QTemporaryDir folder;
