@@ -7415,6 +7415,10 @@
         <translation>%1 et %2 seraient tous deux écrits sous %3&#x202f;; appeler la commande pour chacun</translation>
     </message>
     <message>
+        <source>--name %1 leads out of the folder that -o names</source>
+        <translation>--name %1 sort du dossier indiqué par -o</translation>
+    </message>
+    <message>
         <source>the folder %1 cannot be made</source>
         <translation>le dossier %1 ne peut être créé</translation>
     </message>

@@ -155,6 +155,10 @@ void requirePattern(const QString &pattern) {
         rest.remove(word);
     if (rest == pattern || rest.contains(u'{') || rest.contains(u'}'))
         refuse(nameOption.name, pattern, known.join(QStringLiteral(", ")).toStdString());
+    const QString name = QDir::fromNativeSeparators(pattern);
+    if (QDir::isAbsolutePath(name) || name.split(u'/').contains(QStringLiteral("..")))
+        throw UsageError({REPORT_TEXT("report", "--name %1 leads out of the folder that -o names"),
+                          {pattern.toStdString()}});
 }
 
 } // namespace

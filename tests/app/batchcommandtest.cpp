@@ -305,6 +305,11 @@ void BatchCommandTest::outputsAreNamedByTheirContent() {
         QVERIFY2(QFileInfo::exists(at(picture)), picture);
     QCOMPARE(runCli({"report", at("in"), "-o", at("out"), "--name", "{mashine}"}).code, 2);
     QCOMPARE(runCli({"report", at("in"), "-o", at("out"), "--name", "all"}).code, 2);
+    for (const QString &outside :
+         {QStringLiteral("../{file}"), QStringLiteral("a/../../{file}"), at("{file}")}) {
+        const CliResult refused = runCli({"report", at("in"), "-o", at("out"), "--name", outside});
+        QVERIFY2(refused.code == 2 && refused.err.contains("leads out of the folder"), refused.err);
+    }
     QCOMPARE(runCli({"report", at("in/b.palmer"), "-o", at("x.pdf"), "--name", "{machine}"}).code, 2);
 }
 
