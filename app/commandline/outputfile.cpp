@@ -233,12 +233,10 @@ int written(const Invocation &invocation, const std::vector<FileToSave> &outputs
     try {
         writeOutputs(outputs);
         return done;
-    } catch (const UnsavedFile &error) {
-        printError(error.path, error, invocation.language);
-    } catch (const Error &error) { // standard output
+    } catch (const Error &error) {
         printError(outputs.front().path, error, invocation.language);
+        return cannotRead;
     }
-    return cannotRead;
 }
 
 } // namespace palmer

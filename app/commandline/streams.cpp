@@ -7,6 +7,7 @@
 #include "document/place.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
+#include "document/savefiles.h"
 #include "document/setfield.h"
 #include "document/testfile.h"
 #include "export/answersjson.h"
@@ -99,7 +100,8 @@ QString textOf(const Error &error, const Language &language) {
 } // namespace
 
 void printError(const QString &file, const Error &error, const Language &language) {
-    printError(file + QStringLiteral(": ") + textOf(error, language));
+    const auto *unsaved = dynamic_cast<const UnsavedFile *>(&error); // not what was read
+    printError((unsaved ? unsaved->path : file) + QStringLiteral(": ") + textOf(error, language));
 }
 
 int fail(const Invocation &invocation, const QString &file, const QString &text, ExitCode code) {

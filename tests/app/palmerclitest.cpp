@@ -443,6 +443,9 @@ void PalmerCliTest::agreesWithTheReferenceData() {
     for (const char *words : {"Validation de Palmer " PALMER_VERSION, "Processeur", "Compilateur", "SHA-256"})
         QVERIFY2(printed.contains(words), qPrintable(printed.left(1000)));
     QVERIFY(!result.out.contains("NE CONCORDE PAS"));
+    const Result unsaved = run({"selftest", "--report", "/nowhere/v.pdf"});
+    QVERIFY2(unsaved.code == 3 && unsaved.err.startsWith("palmer-cli: /nowhere/v.pdf: "),
+             qPrintable(unsaved.err));
 }
 
 void PalmerCliTest::takesAFolderOfReferenceData() {

@@ -151,6 +151,8 @@ void RegisterCommandTest::scanListTrend() {
     QVERIFY(table.contains("Machine 001: trend of A, axis or plane X"));
     const QString csv = m_dir->filePath("trend.csv");
     QCOMPARE(reg({"trend", "--machine", "000-001", "--axis", "X", "--parameter", "A", "-o", csv}).code, 0);
+    const CliResult unsaved = reg({"trend", "--machine", "000-001", "--axis", "X", "-o", "/nowhere/t.csv"});
+    QVERIFY2(unsaved.code == 3 && unsaved.err.startsWith("palmer-cli: /nowhere/t.csv: "), unsaved.err);
     QCOMPARE(contents(csv).count('\n'), 11);
     QVERIFY(contents(csv).startsWith("machine,manufacturer,model,serialNumber,axis,")); // as the list
     const auto anew = objects(reg({"trend", "--machine", "000-001", "--axis", "X", "--parameter", "A",
