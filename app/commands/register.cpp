@@ -129,8 +129,14 @@ QStringList foldersOf(const Invocation &invocation) {
     return folders;
 }
 
+/// True if a scan found other files than the one before.
+bool hasChanged(const ScanResult &result, const ScanResult &before) {
+    return result.read > 0 || result.pruned > 0 || result.files != before.files ||
+           result.notFound != before.notFound || result.unreadable.size() != before.unreadable.size();
+}
+
 /// Scans repeatedly; reports an error of the register once until it is resolved.
-[[noreturn]] void watch(const Invocation &invocation, const QStringList &folders) {
+[[noreturn]] void watch(const Invocation &invocation, const QStringList &folders, ScanResult before) {
     constexpr std::chrono::milliseconds least = std::chrono::seconds(2);
     constexpr int share = 10; // scans take at most a tenth of the time; network shares do not report changes
     std::chrono::milliseconds pause = least;
@@ -140,9 +146,10 @@ QStringList foldersOf(const Invocation &invocation) {
         const auto begin = std::chrono::steady_clock::now();
         try {
             Register reg(registerAddress(invocation));
-            const ScanResult result = scan(reg, folders, scanOptions(invocation));
-            if (result.read > 0 || result.pruned > 0)
+            ScanResult result = scan(reg, folders, scanOptions(invocation));
+            if (hasChanged(result, before))
                 report(result, invocation);
+            before = std::move(result);
             said.clear();
         } catch (const Error &error) {
             const QString sentence = invocation.language.sentence(error.message);
@@ -158,13 +165,14 @@ QStringList foldersOf(const Invocation &invocation) {
 int runScan(const Invocation &invocation) {
     const QStringList folders = foldersOf(invocation);
     const auto open = invocation.has("rebuild") ? Register::Open::rebuild : Register::Open::keep;
-    int code = done;
+    ScanResult result;
     {
         Register reg(registerAddress(invocation), open);
-        code = report(scan(reg, folders, scanOptions(invocation)), invocation);
+        result = scan(reg, folders, scanOptions(invocation));
     }
+    const int code = report(result, invocation);
     if (invocation.has("watch"))
-        watch(invocation, folders);
+        watch(invocation, folders, std::move(result));
     return code;
 }
 

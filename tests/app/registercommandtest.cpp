@@ -70,6 +70,7 @@ private slots:
     void speaksFrench();
     void aReportIsAPlaceOfItsTest();
     void killedItGoesOn();
+    void whatVanishesIsSaidWhileWatching();
     void aFullDiskLosesNothing();
     void aFullDiskLeavesNoEmptyRegister();
     void theHistoryIsPrinted();
@@ -516,6 +517,26 @@ void RegisterCommandTest::killedItGoesOn() {
     }
     QCOMPARE(reg({"scan", files()}).code, 0);
     QCOMPARE(reg({"list", "--json"}).out, whole);
+}
+
+void RegisterCommandTest::whatVanishesIsSaidWhileWatching() {
+    const QString folder = m_dir->filePath("watched");
+    QVERIFY(QDir().mkpath(folder));
+    for (const char *name : {"/a.palmer", "/b.palmer"})
+        QVERIFY(QFile::copy(EXAMPLES "rotary-axis.palmer", folder + name));
+    QProcess watching;
+    watching.start(PALMER_CLI, {"register", "scan", folder, "--watch", "--register", m_register});
+    const auto said = [&watching](const char *words) {
+        QByteArray all;
+        while (!all.contains(words) && watching.waitForReadyRead(patience))
+            all += watching.readAllStandardOutput();
+        return all.contains(words);
+    };
+    QVERIFY(said("Files: 2, of them read now: 2"));
+    QVERIFY(QFile::remove(folder + "/b.palmer"));
+    QVERIFY(said("Files: 1, of them read now: 0, unreadable: 0, not found: 1."));
+    watching.kill();
+    QVERIFY(watching.waitForFinished(patience));
 }
 
 void RegisterCommandTest::aFullDiskLosesNothing() {
