@@ -6958,6 +6958,10 @@
         <translation>Le PDF tel qu’il a été établi est inchangé&#x202f;; quelque chose y a été ajouté.</translation>
     </message>
     <message>
+        <source>The PDF was rewritten: texts, attached files and drawn pages are the same, the bytes are not.</source>
+        <translation>Le PDF a été réécrit&#xa0;: ses textes, ses fichiers joints et l’aspect de ses pages sont les mêmes, mais non ses octets.</translation>
+    </message>
+    <message>
         <source>FILE is a test file (.palmer), a report of Palmer (PDF) or a measurement file that can be imported; - is standard input.</source>
         <translation>FILE est un fichier d’essai (.palmer), un rapport de Palmer (PDF) ou un fichier de mesure importable&#x202f;; - est l’entrée standard.</translation>
     </message>

@@ -127,6 +127,10 @@ QString verificationText(const Verification &verification, const Language &langu
     else if (verification.appended)
         add(language.text(
             REPORT_TEXT("report", "The PDF as it was made is unchanged; something was appended to it.")));
+    else if (verification.follows() && !verification.otherVersion)
+        add(language.text(REPORT_TEXT("report",
+                                      "The PDF was rewritten: texts, attached files and drawn pages "
+                                      "are the same, the bytes are not.")));
     if (!verification.wording.empty())
         add(language.sentence(
             {REPORT_TEXT_COUNTED("report", "%n place(s) that this version prints otherwise: not compared"),

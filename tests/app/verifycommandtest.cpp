@@ -105,6 +105,13 @@ private slots:
         QCOMPARE(result.code, 1);
         QVERIFY2(result.out.contains("pages of the PDF: 1;"), result.out.constData());
 
+        // Other bytes of the same pages: it follows, and the bytes are said to be others.
+        const QString rewritten = m_folder.filePath("rewritten.pdf");
+        output("qpdf", {"--linearize", m_report, rewritten});
+        result = runCli({"verify", rewritten});
+        QCOMPARE(result.code, 0);
+        QVERIFY2(result.out.contains("The PDF was rewritten: "), result.out.constData());
+
         result = runCli({"verify", m_report, cut, example});
         QCOMPARE(result.code, 3); // the worst
         QVERIFY(result.out.contains(m_report.toUtf8() + "\nThe numbers follow"));
