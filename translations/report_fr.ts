@@ -7415,12 +7415,12 @@
         <translation>nombre de fichiers traités à la fois&#x202f;; par défaut un par processeur</translation>
     </message>
     <message>
-        <source>%1 and %2 would both be written as %3; call the command for each</source>
-        <translation>%1 et %2 seraient tous deux écrits sous %3&#x202f;; appeler la commande pour chacun</translation>
-    </message>
-    <message>
         <source>--name %1 leads out of the folder that -o names</source>
         <translation>--name %1 sort du dossier indiqué par -o</translation>
+    </message>
+    <message>
+        <source>%1 and %2 would both be written as %3; call the command for each</source>
+        <translation>%1 et %2 seraient tous deux écrits sous %3&#x202f;; appeler la commande pour chacun</translation>
     </message>
     <message>
         <source>the folder %1 cannot be made</source>
@@ -10943,8 +10943,8 @@
         <translation>V = diag(r² + s²) + Σ c·cᵀ&#xa0;: r part propre, c part commune, s dispersion au-delà.</translation>
     </message>
     <message>
-        <source>A trend is shown where the slope is at least t times its standard uncertainty (95 %). Not before: line + t·u reaches the limit, one-sided 95 %, for the level, not for the next test.</source>
-        <translation>Une tendance est indiquée si la pente atteint au moins t fois son incertitude type (95&#xa0;%). Pas avant&#xa0;: la droite + t·u atteint la limite, borne unilatérale à 95&#xa0;%, pour le niveau, non pour le prochain essai.</translation>
+        <source>A trend is shown where the slope is at least t times its standard uncertainty (95 %). Not before: line + t·u reaches the limit, less the guard band where conformity has to be proven; one-sided 95 %, for the level, not for the next test.</source>
+        <translation>Une tendance est indiquée si la pente atteint au moins t fois son incertitude type (95&#xa0;%). Pas avant&#xa0;: la droite + t·u atteint la limite, diminuée de la bande de garde si la conformité est à prouver&#x202f;; borne unilatérale à 95&#xa0;%, pour le niveau, non pour le prochain essai.</translation>
     </message>
     <message>
         <source>the %1 in which %2 varies most</source>

@@ -208,8 +208,8 @@ QString trendMethod(const MachineTrend &trend, const Language &language, bool wi
             REPORT_TEXT("report", "V = diag(r² + s²) + Σ c·cᵀ: r own, c shared, s scatter beyond them."));
     sentences << language.text(REPORT_TEXT(
         "report", "A trend is shown where the slope is at least t times its standard uncertainty (95 %). Not "
-                  "before: line + t·u reaches the limit, one-sided 95 %, for the level, not for the next "
-                  "test."));
+                  "before: line + t·u reaches the limit, less the guard band where conformity has to be "
+                  "proven; one-sided 95 %, for the level, not for the next test."));
     if (trend.line)
         sentences << language.sentence(
             {REPORT_TEXT("report", "Nothing is said beyond %1, twice the observed time."),
