@@ -62,8 +62,8 @@ std::string commentText(const QString &text) {
             plain += '-';
         else if (c == u'\u2019')
             plain += '\'';
-        else if (c == u';') // ends a block
-            plain += ',';
+        else if (c == u';') // ends a block; French has a blank before it
+            plain.erase(plain.find_last_not_of(' ') + 1).append(",");
         else if (c.isSpace())
             plain += ' ';
         else if (c.unicode() >= 32 && c.unicode() < 127 && c != u'(' && c != u')')
