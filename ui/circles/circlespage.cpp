@@ -110,6 +110,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_refusedPoint = QModelIndex(); });
     connect(&selection, &Selection::hoveredChanged, this, &CirclesPage::showHovered);
     connect(&selection, &Selection::readingChanged, this, &CirclesPage::showCurrent);
+    connect(&selection, &Selection::pageChanged, this, &CirclesPage::enableActions);
     retranslate();
 }
 
@@ -534,11 +535,17 @@ void CirclesPage::setLanguage(const Language &language) {
     retranslate();
 }
 
-void CirclesPage::refresh() {
-    const CircularMeasurement *shown = measurement();
+/// The menus of the window offer them only with the arcs in view.
+void CirclesPage::enableActions() {
+    const CircularMeasurement *shown = m_selection.page() == Page::readings ? measurement() : nullptr;
     m_newArcAction->setEnabled(shown);
     m_pasteArcAction->setEnabled(shown);
     m_deleteArcAction->setEnabled(shown && !shown->arcs.empty());
+}
+
+void CirclesPage::refresh() {
+    enableActions();
+    const CircularMeasurement *shown = measurement();
     if (!shown)
         return;
     m_filling = true;

@@ -79,6 +79,7 @@ private:
     void readPositive(Field *field, Quantity quantity, bool needed);
     [[nodiscard]] Field::Reading readEnd(const Field *end, const QString &typed) const;
     void typeRange(const Field *end);
+    void enableActions();
     void showReason();
     void leaveFields(const std::vector<Field *> &fields);
     [[nodiscard]] QString shownArc() const;

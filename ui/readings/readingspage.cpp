@@ -86,6 +86,7 @@ void ReadingsPage::connectParts() {
     connect(m_view, &ReadingsView::typed, m_pasted, &TablePaste::end);
     connect(m_pasted, &TablePaste::undone, m_view, [this] { m_view->setFocus(); });
     connect(&m_selection, &Selection::parameterChanged, this, &ReadingsPage::markRuling);
+    connect(&m_selection, &Selection::pageChanged, this, &ReadingsPage::enableActions);
 }
 
 QToolButton *ReadingsPage::addSegment(QButtonGroup &group, const char *segment, const char *name, int id) {
@@ -185,11 +186,13 @@ void ReadingsPage::connectActions() {
     });
 }
 
+/// The menus of the window offer them only with the table in view, which shows what they change.
 void ReadingsPage::enableActions() {
-    const std::vector<ReadingPlace> places = m_view->selectedPlaces();
-    const PositioningMeasurement *measurement = m_model.measurement();
+    const bool inView = m_selection.page() == Page::readings;
+    const std::vector<ReadingPlace> places = inView ? m_view->selectedPlaces() : std::vector<ReadingPlace>();
+    const PositioningMeasurement *measurement = inView ? m_model.measurement() : nullptr;
     const bool any = !places.empty() && measurement;
-    const auto rows = m_view->selectedRows();
+    const auto rows = inView ? m_view->selectedRows() : std::vector<int>();
     const std::vector<std::size_t> unmeasured =
         measurement ? unmeasuredTargets(*measurement) : std::vector<std::size_t>();
     m_leaveOut->setVisible(!unmeasured.empty());

@@ -11,6 +11,7 @@
 #include "ui/dialogs/shortcutsdialog.h"
 #include "ui/forms/field.h"
 #include "ui/readings/readingsmodel.h"
+#include "ui/readings/readingspage.h"
 #include "ui/welcome/recentfiles.h"
 
 #include <QAction>
@@ -95,6 +96,7 @@ private slots:
     void undoBringsTheTargetIntoView();
     void undoBringsTheTestIntoView();
     void everyShortcutIsListed();
+    void menusChangeOnlyWhatIsInView();
     void shortcutsNameTheCommandAlone();
     void buttonsOfAgreedPointsNameTheirPoint();
     void standardButtonsHaveAKey_data();
@@ -592,6 +594,33 @@ void KeyboardTest::everyShortcutIsListed() {
                  qPrintable(action->text()));
     }
     QVERIFY(seen > 20);
+}
+
+/// On another page it would not be seen what they change.
+void KeyboardTest::menusChangeOnlyWhatIsInView() {
+    for (const char *example : {"x-axis-as-found-as-left", "iso230-4-full-circles-xy"}) {
+        const ShownWindow shown(examplePath(example));
+        Workplace &workplace = shown.window->workplace();
+        const auto enabled = [&] {
+            QStringList names;
+            for (const QList<QAction *> &list :
+                 {workplace.readings().editActions(), workplace.readings().testActions(),
+                  workplace.circles().testActions()}) {
+                for (const QAction *action : list) {
+                    if (action->isEnabled() && !action->isSeparator())
+                        names << action->objectName();
+                }
+            }
+            return names;
+        };
+        QVERIFY(!enabled().isEmpty());
+        workplace.showPage(Page::conditions);
+        QCOMPARE(enabled(), QStringList());
+        workplace.showPage(Page::machine);
+        QCOMPARE(enabled(), QStringList());
+        workplace.showPage(Page::readings);
+        QVERIFY(!enabled().isEmpty());
+    }
 }
 
 /// A command, not what it would do just now.
