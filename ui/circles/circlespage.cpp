@@ -42,7 +42,7 @@ constexpr int labelHeight = 16;
 constexpr int mostArcs = 4; ///< shown without scrolling
 constexpr int cellMargin = 16;
 constexpr int rowsLookedAt = 50; ///< to find the width of a column
-constexpr int leastHeightForPoints = 480;
+constexpr int leastPoints = 3;   ///< in view where the page is higher than its place and scrolls
 constexpr int angleWidth = 72;
 constexpr int reverseWidth = 36; ///< icon only: the range leaves no space for words
 
@@ -479,6 +479,7 @@ void CirclesPage::makeTables() {
     m_points->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                               QAbstractItemView::AnyKeyPressed);
     connect(&m_pointsModel, &PointsModel::typed, this, &CirclesPage::typePoint);
+    m_points->setMinimumHeight((1 + leastPoints) * tableRowHeight + 2);
     m_points->setMouseTracking(true);
     m_points->viewport()->installEventFilter(this);
     connect(m_points, &QAbstractItemView::entered, this, &CirclesPage::hover);
@@ -673,7 +674,6 @@ void CirclesPage::fitColumns() {
     fit(m_points, rowsLookedAt);
 }
 
-/// Parts that do not fit are hidden, first the table of points.
 void CirclesPage::resizeEvent(QResizeEvent *event) {
     QWidget::resizeEvent(event);
     showParts();
@@ -688,12 +688,12 @@ void CirclesPage::showPoint(const ReadingPlace &point) {
 
 void CirclesPage::showParts() {
     const bool any = m_pointsModel.rowCount() > 0;
-    const bool points = any && height() >= leastHeightForPoints;
-    QWidget *main = points ? m_points : any ? m_arcs : static_cast<QWidget *>(m_newArc);
+    const bool scrolls = parentWidget() && height() > parentWidget()->height();
+    QWidget *main = !any ? static_cast<QWidget *>(m_newArc) : scrolls ? m_arcs : m_points; // one in view
     setFocusProxy(main);
-    if (m_points->hasFocus() && !points) // keeps the focus, and thus the shortcuts, on the page
+    if (m_points->hasFocus() && !any) // keeps the focus, and thus the shortcuts, on the page
         main->setFocus();
-    m_points->setVisible(points);
+    m_points->setVisible(any);
     m_curves->setVisible(any);
     m_emptyPlace->setVisible(!any);
 }

@@ -507,8 +507,12 @@ void Workplace::showChanged(const PositioningMeasurement &was, const Positioning
 }
 
 void Workplace::showChanged(const CircularMeasurement &was, const CircularMeasurement &is) {
-    if (const auto point = changedPoint(was, is))
-        m_circles->showPoint(*point);
+    const auto point = changedPoint(was, is);
+    if (!point)
+        return;
+    m_circles->showPoint(*point);
+    if (QWidget *focused = m_circles->focusWidget()) // on low screens the table may be out of view
+        m_circlesPlace->ensureWidgetVisible(focused);
 }
 
 void Workplace::present() {
