@@ -240,7 +240,7 @@ QFrame[notice="true"] { background: @unsureGround; border: none; border-bottom: 
 QFrame[bar="true"] { background: @selected; border: 1px solid @accent; border-radius: 4px; }
 QLabel[secondary="true"] { color: @secondary; }
 QLabel[tone="unsure"] { color: @unsure; }
-QLabel[tone="bad"] { color: @bad; }
+QLabel[tone="bad"], QLabel[refused="true"] { color: @bad; }
 )";
 
 QString pixels(int count) {

@@ -122,6 +122,8 @@ Field::Field(Kind kind, QWidget *parent)
     edit->installEventFilter(this);
     m_unit = made<QLabel>(trait::secondary, m_answer ? this : edit);
     m_bar = new RequiredBar(edit);
+    m_refusedMark = new RefusedMark(edit);
+    m_refusedMark->hide();
     m_label->setFixedHeight(labelHeight);
     m_label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_mark->setFixedHeight(labelHeight);
@@ -129,6 +131,7 @@ Field::Field(Kind kind, QWidget *parent)
     m_label->setBuddy(edit);
     m_unit->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_bar->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_refusedMark->setAttribute(Qt::WA_TransparentForMouseEvents);
     makeReason();
     if (m_answer) {
         m_label->hide();
@@ -236,8 +239,6 @@ void Field::setText(const QString &text) {
     if (m_line) {
         m_line->setText(text);
         m_line->setCursorPosition(m_line->hasFocus() ? static_cast<int>(text.size()) : 0);
-        m_line->setToolTip(text.size() > 30 ? text.first(std::min<qsizetype>(text.size(), longestToolTip))
-                                            : QString());
     } else if (m_lines && m_lines->toPlainText() != text) {
         const QSignalBlocker quiet(m_lines);
         m_lines->setPlainText(text);
@@ -321,6 +322,10 @@ void Field::setDense() {
     layout()->setSpacing(m_answer ? labelGap : 0);
 }
 
+bool Field::isDense() const {
+    return m_height == denseHeight;
+}
+
 void Field::hideLabel() {
     m_labelHidden = true;
     m_label->hide();
@@ -381,27 +386,48 @@ void Field::placeParts() {
     m_bar->setGeometry(1, 1, barWidth, height - 2);
     m_bar->setVisible(m_required);
     // If label and word do not fit side by side, only the dot is shown; bar and placeholder say the same.
-    const QString dot = m_required ? QStringLiteral("●") : QStringLiteral("○");
-    const QString meaning = !m_required        ? tr("usual")
+    const bool refused = isRefusedInHead();
+    const QString dot = refused      ? QStringLiteral("⚠")
+                        : m_required ? QStringLiteral("●")
+                                     : QStringLiteral("○");
+    const QString meaning = refused            ? m_reason->text()
+                            : !m_required      ? tr("usual")
                             : text().isEmpty() ? tr("required")
                                                : tr("incomplete"); // a feed without its kind
     const QString mark = dot + u' ' + meaning;
     const int needed = m_label->fontMetrics().horizontalAdvance(m_label->text()) +
                        m_mark->fontMetrics().horizontalAdvance(mark) + margin;
-    m_mark->setText(!m_required && !m_usual ? QString() : needed > width() && width() > 0 ? dot : mark);
+    m_mark->setText(!m_required && !m_usual && !refused ? QString()
+                    : needed > width() && width() > 0   ? dot
+                                                        : mark);
     m_mark->setToolTip(meaning);
     m_unit->setVisible(unitWidth > 0);
+    m_refusedMark->move(margin, (height - iconSize) / 2);
+    m_refusedMark->setVisible(isRefused() && isDense() && m_labelHidden && !m_bare);
 }
 
-/// Places the reason in the gap below the field, as long as needed, so that unfinished typing moves nothing.
+/// True if the label has the mark of the refusal: there is no gap below a dense field.
+bool Field::isRefusedInHead() const {
+    return isRefused() && isDense() && !m_labelHidden && !m_bare;
+}
+
+/// Places the reason in the gap below the field, so that unfinished typing moves nothing: as long as needed
+/// while it is typed, later as long as the field. Below a dense field is a label instead of a gap, which it
+/// covers only meanwhile.
 void Field::placeReason() {
     if (!m_reasonRow)
         return;
-    if (!isRefused() || m_bare || !isVisible()) {
+    const bool isTyping = edit()->hasFocus();
+    const bool isSaid = isRefusedInHead() && m_mark->text().endsWith(m_reason->text());
+    if (!isRefused() || m_bare || !isVisible() || (isDense() && (!isTyping || isSaid))) {
         m_reasonRow->hide();
         return;
     }
-    const QSize size = m_reasonRow->layout()->sizeHint();
+    QSize size = m_reasonRow->layout()->sizeHint();
+    if (isDense())
+        size.setHeight(std::max(size.height(), headHeight - 1));
+    else if (!isTyping)
+        size.setWidth(std::min(size.width(), width()));
     const QPoint below = edit()->geometry().bottomLeft() + QPoint(0, 1);
     QWidget *around = parentWidget() ? parentWidget() : this;
     // The immediate parent may end with the field, as a table row does.
@@ -456,7 +482,10 @@ void Field::retranslate() {
     if (m_answer)
         m_answer->setText(
             QString(choice() == 2 ? tr("%1: no").arg(label) : label).replace(u'&', QStringLiteral("&&")));
-    m_mark->setVisible((m_required || m_usual) && !m_bare && !m_labelHidden);
+    if (isRefused())
+        m_reason->setText(refusalText());
+    m_mark->setVisible((m_required || m_usual || isRefusedInHead()) && !m_bare && !m_labelHidden);
+    setStyled(*m_mark, "refused", isRefusedInHead());
     const QString placeholder = !m_placeholder.isEmpty()                              ? m_placeholder
                                 : m_kind == Kind::number && !m_unit->text().isEmpty() ? QStringLiteral("–")
                                                                                       : tr("not stated");
@@ -464,22 +493,26 @@ void Field::retranslate() {
         m_line->setPlaceholderText(placeholder);
     if (m_lines)
         m_lines->setPlaceholderText(placeholder);
-    if (isRefused())
-        m_reason->setText(refusalText());
-    placeReason();
     QWidget *shown = edit();
     setStyled(*shown, "refused", isRefused());
     shown->setAccessibleName(label);
     shown->setAccessibleDescription(description());
+    if (m_line || m_lines)
+        shown->setToolTip(isRefused()                            ? m_reason->text()
+                          : m_line && m_line->text().size() > 30 ? m_line->text().left(longestToolTip)
+                                                                 : QString());
     placeParts();
+    placeReason();
 }
 
 bool Field::eventFilter(QObject *watched, QEvent *event) {
     if (event->type() == QEvent::FocusIn) {
         m_atFocus = m_shown;
+        placeReason();
         emit begun();
     } else if (event->type() == QEvent::FocusOut) {
         finish();
+        placeReason();
     } else if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);
         // Undo and redo belong to the window, which has one stack.

@@ -110,6 +110,8 @@ private:
     void finish();
     void restore();
     void retranslate() final;
+    [[nodiscard]] bool isDense() const;
+    [[nodiscard]] bool isRefusedInHead() const;
     [[nodiscard]] QString refusalText() const;
     [[nodiscard]] QString description() const;
     void placeParts();
@@ -143,6 +145,7 @@ private:
     QStringList m_words; ///< of an answer
     QLabel *m_unit;
     QWidget *m_bar;
+    QWidget *m_refusedMark;        ///< in a dense field without a label
     QPointer<QWidget> m_reasonRow; ///< child of a surrounding widget, painted over it
     QLabel *m_reason = nullptr;
 };

@@ -569,6 +569,32 @@ private slots:
         }
     }
 
+    /// It covers the label below only while it is typed; later the mark at its own label says it.
+    void aRefusalCoversNoLabelOnceItsFieldIsLeft() {
+        Edited<ConditionsPage> edited(example());
+        for (const char *key : {"date", "time", "feed", "dwell"})
+            edited.type(QString::fromLatin1(key), u"abc"_s);
+        const auto reasons = [&] {
+            const auto labels = edited.page.findChildren<QLabel *>(u"refusal"_s);
+            return std::ranges::count_if(labels, [](const QLabel *label) { return label->isVisible(); });
+        };
+        QVERIFY(reasons() <= 1);
+        edited.enter(u"compensation"_s);
+        QCOMPARE(reasons(), 0);
+        int refused = 0;
+        for (const Field *field : edited.page.findChildren<Field *>()) {
+            if (!field->isRefused())
+                continue;
+            ++refused;
+            const auto labels = field->findChildren<QLabel *>();
+            QVERIFY(std::ranges::any_of(labels, [](const QLabel *label) {
+                return label->isVisible() && label->text().startsWith(u'⚠');
+            }));
+            QCOMPARE(field->edit()->toolTip(), field->refusal());
+        }
+        QCOMPARE(refused, 4);
+    }
+
     void aTextOfAnAgreementThatIsTooLongIsRefused() {
         Edited<AgreedPointsPage> edited(example());
         auto *text = edited.page.findChildren<QLineEdit *>().at(0);
