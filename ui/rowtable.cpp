@@ -156,8 +156,15 @@ void RowTable::fitColumns() {
     std::vector<int> widths;
     int left = viewport()->width();
     for (int column = 0; column < columnCount(); ++column) {
-        widths.push_back(column == m_flexible || isColumnHidden(column) ? 0 : wantedWidth(column));
+        const bool isOthers = column == m_flexible || column == m_pictures || isColumnHidden(column);
+        widths.push_back(isOthers ? 0 : wantedWidth(column));
         left -= widths.back();
+    }
+    if (m_pictures >= 0) {
+        const bool fits = left - m_pictureWidth >= wantedWidth(m_flexible);
+        setColumnHidden(m_pictures, !fits);
+        widths.at(static_cast<std::size_t>(m_pictures)) = fits ? m_pictureWidth : 0;
+        left -= widths.at(static_cast<std::size_t>(m_pictures));
     }
     for (const int column : m_elided) { // the last ones shrink first
         int &width = widths.at(static_cast<std::size_t>(column));
@@ -168,6 +175,11 @@ void RowTable::fitColumns() {
     widths.at(static_cast<std::size_t>(m_flexible)) = std::max(left, 0);
     for (int column = 0; column < columnCount(); ++column)
         setColumnWidth(column, widths.at(static_cast<std::size_t>(column)));
+}
+
+void RowTable::setPictures(int column, int width) {
+    m_pictures = column;
+    m_pictureWidth = width;
 }
 
 void RowTable::fit(int flexible, int least, std::initializer_list<int> elided) {

@@ -38,6 +38,8 @@ public:
     /// Fits the height to the rows and columns to their content; `flexible` takes the remaining width, of
     /// which `elided` columns give up what its `least` width lacks.
     void fit(int flexible, int least, std::initializer_list<int> elided = {});
+    /// A column of pictures of that width, left out where the flexible one would be cut.
+    void setPictures(int column, int width);
     /// Key of a row; empty if there is none.
     [[nodiscard]] QString key(int row) const;
     /// The row of a key; −1 if there is none.
@@ -56,6 +58,8 @@ private:
     int m_flexible = -1;
     int m_least = 0;
     std::vector<int> m_elided;
+    int m_pictures = -1;
+    int m_pictureWidth = 0;
     std::vector<HistogramFigure> m_histograms;
 };
 

@@ -63,13 +63,15 @@ ComparisonPage::ComparisonPage(DocumentModel &model, QWidget *parent)
     m_decision->setProperty("card", true);
     m_decision->setMinimumHeight(decisionHeight);
     m_word = made<QLabel>("comparisonWord", TextSize::head, m_decision);
-    m_counts = made<QLabel>("comparisonCounts", TextSize::small, trait::secondary, m_decision);
+    m_counts =
+        made<QLabel>("comparisonCounts", TextSize::small, trait::secondary, trait::wrapped, m_decision);
     m_main = made<QLabel>("comparisonMain", TextSize::head, m_decision);
     auto *words = inColumn(2, {m_word, m_counts});
     inRow(m_decision, {12, 4, 12, 4}, 12, {{words, 1}, {m_main, 0, Qt::AlignVCenter}});
     m_conditionsTitle = made<QLabel>("comparedConditionsTitle", TextSize::head, content);
     m_conditions = new RowTable("comparedConditions", ConditionColumn::conditionColumns, content);
     m_parameters = new RowTable("comparedParameters", ParameterColumn::parameterColumns, content);
+    m_parameters->setPictures(picture, pictureWidth);
     for (RowTable *table : {m_conditions, m_parameters})
         table->setFocusPolicy(Qt::StrongFocus);
     m_reason = made<QLabel>("comparisonReason", trait::plainText, trait::wrapped, content);
@@ -102,12 +104,16 @@ void ComparisonPage::makeBar() {
     m_tolerance->setAlignment(Qt::AlignRight);
     m_toleranceLabel->setBuddy(m_tolerance);
     m_untouched = made<QCheckBox>("setUpUntouched", m_bar);
+    m_refusal = made<ElidedLabel>("toleranceRefusal", TextSize::small, m_bar);
+    m_refusal->setProperty("tone", QStringLiteral("bad"));
     auto *segments = inRow(0, {m_forwards, m_backwards});
     auto *first = inRow(8, {m_label, {m_other, 1}, segments, m_copy});
-    auto *second = inRow(8, {m_toleranceLabel, m_tolerance, Placed::gap(8), m_untouched, Placed::stretch()});
+    auto *second = inRow(
+        8, {m_toleranceLabel, m_tolerance, Placed::gap(8), m_untouched, Placed::gap(8), {m_refusal, 1}});
     inColumn(m_bar, {pageMargin, 8, pageMargin, 4}, 6, {first, second});
     connect(m_other, &QComboBox::activated, this, &ComparisonPage::choose);
     connect(direction, &QButtonGroup::buttonClicked, this, [this] { want(); });
+    connect(m_tolerance, &QLineEdit::textEdited, this, &ComparisonPage::showRefusal);
     connect(m_tolerance, &QLineEdit::editingFinished, this, &ComparisonPage::state);
     connect(m_untouched, &QCheckBox::clicked, this, &ComparisonPage::state);
     connect(m_copy, &QToolButton::clicked, this, &ComparisonPage::copy);
@@ -130,6 +136,7 @@ void ComparisonPage::show(const EvaluatedDocument &evaluated, std::size_t test) 
     if (another) {
         m_ofFile.reset();
         m_result.reset(); // that of the test before
+        m_tolerance->clear();
     }
     const std::size_t ownBefore =
         std::erase_if(m_offers, [](const Offer &offer) { return offer.file.isEmpty(); });
@@ -188,13 +195,46 @@ void ComparisonPage::fillBox() {
     const Quantity quantity = shown ? deviationQuantity(*shown) : Quantity::deviation;
     m_toleranceLabel->setText(tr("Agreed tolerance, %1").arg(windowLanguage().unit(quantity)));
     if (!m_ofFile) {
-        m_tolerance->setText(stated && stated->tolerance
-                                 ? windowLanguage().number(certain(*stated->tolerance), quantity)
-                                 : QString());
+        if (refusal().isEmpty() || row == 0)
+            m_tolerance->setText(stated && stated->tolerance
+                                     ? windowLanguage().number(certain(*stated->tolerance), quantity)
+                                     : QString());
         m_untouched->setChecked(stated && stated->setUpUntouched);
     }
     m_tolerance->setEnabled(row > 0);
     m_untouched->setEnabled(row > 0);
+    showRefusal();
+}
+
+/// Why the typed tolerance cannot be accepted; empty if it can.
+QString ComparisonPage::refusal() const {
+    const Test *shown = test();
+    if (!shown)
+        return {};
+    const auto entry =
+        enteredNumber(m_tolerance->text(), deviationQuantity(*shown), windowLanguage().units());
+    if (entry.refusal)
+        return windowLanguage().text(*entry.refusal);
+    return entry.value && !(*entry.value > 0) ? tr("not greater than 0") : QString();
+}
+
+/// As typed, or else as it is stated.
+std::optional<double> ComparisonPage::tolerance() const {
+    const Test &shown = *test();
+    if (refusal().isEmpty())
+        return enteredNumber(m_tolerance->text(), deviationQuantity(shown), windowLanguage().units()).value;
+    return shown.comparedWith && !m_ofFile ? shown.comparedWith->tolerance : std::nullopt;
+}
+
+void ComparisonPage::showRefusal() {
+    const QString reason = refusal();
+    m_refusal->setText(reason.isEmpty() ? reason : QStringLiteral("⚠ %1.").arg(capitalised(reason)));
+    setStyled(*m_tolerance, "refused", !reason.isEmpty());
+    m_tolerance->setAccessibleDescription(m_refusal->text());
+}
+
+QStringList ComparisonPage::refusedTexts() const {
+    return refusal().isEmpty() ? QStringList() : QStringList{m_tolerance->text()};
 }
 
 void ComparisonPage::choose(int row) {
@@ -225,11 +265,8 @@ void ComparisonPage::state() {
     std::optional<ComparedWith> stated;
     if (row > 0 && row <= static_cast<int>(m_offers.size())) {
         const Offer &offer = m_offers[static_cast<std::size_t>(row) - 1];
-        stated = ComparedWith{offer.evaluated->document->tests[offer.test]->id, {}, m_untouched->isChecked()};
-        const auto entry =
-            enteredNumber(m_tolerance->text(), deviationQuantity(*shown), windowLanguage().units());
-        if (entry.value && *entry.value > 0)
-            stated->tolerance = entry.value;
+        stated = ComparedWith{offer.evaluated->document->tests[offer.test]->id, tolerance(),
+                              m_untouched->isChecked()};
     }
     if (stated == shown->comparedWith) {
         fillBox();
@@ -301,8 +338,7 @@ void ComparisonPage::want() {
         std::swap(result.before, result.after);
     ComparisonOptions options;
     options.setUpUntouched = m_untouched->isChecked();
-    options.tolerance =
-        enteredNumber(m_tolerance->text(), deviationQuantity(*shown), windowLanguage().units()).value;
+    options.tolerance = tolerance();
     if (!m_result)
         present();
     m_worker.start(
@@ -421,8 +457,7 @@ void ComparisonPage::fillParameters(const PlacedTest &was, const PlacedTest &is)
                 : shown.word;
         m_parameters->setCell(row, word, said + en, false, changed);
     }
-    m_parameters->fit(name, 60, {});
-    m_parameters->setColumnWidth(picture, pictureWidth);
+    m_parameters->fit(name, 60);
     m_parameters->setVisible(!words.empty());
 }
 

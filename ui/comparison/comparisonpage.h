@@ -16,6 +16,7 @@ namespace palmer::ui {
 
 class ComparisonSide;
 class ElidedBox;
+class ElidedLabel;
 class RowTable;
 
 /// The page "Comparison" of a test: what has changed from another test of this file (which the test then
@@ -34,6 +35,8 @@ public:
     /// Compares with the tests of another file; on failure shows a message and returns false.
     bool addFile(const QString &path);
     [[nodiscard]] bool isBusy() const { return m_worker.isBusy(); }
+    /// The typed tolerance if it cannot be accepted.
+    [[nodiscard]] QStringList refusedTexts() const;
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -58,6 +61,7 @@ private:
     void fillBox();
     void choose(int row);
     void chooseFile();
+    void showRefusal();
     void state();
     void want();
     void present();
@@ -65,6 +69,8 @@ private:
     void fillParameters(const PlacedTest &was, const PlacedTest &is);
     void copy();
     void retranslate() final;
+    [[nodiscard]] QString refusal() const;
+    [[nodiscard]] std::optional<double> tolerance() const;
     [[nodiscard]] std::optional<Offer> chosen() const;
     [[nodiscard]] const Test *test() const;
 
@@ -85,6 +91,7 @@ private:
     QToolButton *m_backwards = nullptr;
     QLabel *m_toleranceLabel = nullptr;
     QLineEdit *m_tolerance = nullptr;
+    ElidedLabel *m_refusal = nullptr; ///< why the tolerance cannot be accepted
     QCheckBox *m_untouched = nullptr;
     QToolButton *m_copy = nullptr;
     QFrame *m_decision;

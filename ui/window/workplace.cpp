@@ -760,7 +760,7 @@ bool Workplace::undoTyping() {
 
 QStringList Workplace::refusedTexts() const {
     QStringList texts = m_readings->refusedTexts() + m_circles->refusedTexts() + m_drift->refusedTexts() +
-                        m_agreedPoints->refusedTexts();
+                        m_agreedPoints->refusedTexts() + m_comparison->refusedTexts();
     for (const Form *form : findChildren<Form *>())
         texts += form->refusedTexts();
     return texts;

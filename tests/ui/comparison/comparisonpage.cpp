@@ -112,6 +112,45 @@ private slots:
         QVERIFY(c.stated().has_value());
     }
 
+    /// It stays beside its reason, and what was stated before is kept.
+    void aToleranceThatIsNoneIsRefused() {
+        const Compared c;
+        QTRY_COMPARE(c.cell(0, 0), QString("A"));
+        auto *tolerance = c.shown.find<QLineEdit>("changeTolerance");
+        const auto *reason = c.shown.find<QLabel>("toleranceRefusal");
+        tolerance->setText("2.5");
+        emit tolerance->editingFinished();
+        for (const QString text : {"abc", "0", "-3"}) {
+            tolerance->clear();
+            QTest::keyClicks(tolerance, text);
+            emit tolerance->editingFinished();
+            QCOMPARE(tolerance->text(), text);
+            QVERIFY2(!reason->text().isEmpty(), qPrintable(text));
+            QVERIFY(c.stated() && c.stated()->tolerance == std::optional(0.0025));
+            QVERIFY(c.shown.window->workplace().refusedTexts().contains(text));
+        }
+        tolerance->clear();
+        emit tolerance->editingFinished();
+        QVERIFY(reason->text().isEmpty() && c.stated() && !c.stated()->tolerance);
+    }
+
+    /// The picture of the difference makes room for them.
+    void namesAndStatementsAreWhole() {
+        const Compared c;
+        QTRY_COMPARE(c.cell(0, 0), QString("A"));
+        const QFontMetrics metrics(c.parameters->font());
+        for (const int width : {1024, 1280, 1366}) {
+            c.shown.window->resize(width, 768);
+            QTest::qWait(20); // layouts
+            QVERIFY(c.parameters->columnViewportPosition(7) + c.parameters->columnWidth(7) <=
+                    c.parameters->viewport()->width());
+            for (int row = 0; row < c.parameters->rowCount() && width > 1024; ++row)
+                QVERIFY2(metrics.horizontalAdvance(c.cell(row, 1)) < c.parameters->columnWidth(1),
+                         qPrintable(QString("%1 at %2").arg(c.cell(row, 1)).arg(width)));
+        }
+        QVERIFY(!c.parameters->isColumnHidden(6)); // where there is room
+    }
+
     /// Shown once more, as after a change of the language, it offers what it offered.
     void shownAgainItOffersTheSame() {
         const Compared c;
