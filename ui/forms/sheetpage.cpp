@@ -13,6 +13,7 @@
 #include "ui/testname.h"
 #include "ui/theme.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -23,6 +24,7 @@
 #include <array>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -30,6 +32,7 @@ namespace {
 
 constexpr const char *sheetContext = "palmer::ui::SheetPage";
 constexpr std::array columnWidths{52, 200, 120, 72, 60, 56, 110, 72, 72, 72, 120, 88};
+constexpr int iconWidth = 18;      ///< of a verdict
 constexpr int mostForObject = 200; ///< more than that, in wide windows
 
 /// The guard picture of a row, its verdict behind its icon; else the text.
@@ -41,7 +44,6 @@ protected:
     void paintContent(QPainter &painter, const QStyleOptionViewItem &option,
                       const QModelIndex &index) const override {
         if (const QVariant icon = index.data(SheetModel::iconRole); icon.isValid()) {
-            constexpr int iconWidth = 18;
             const QRect &cell = option.rect;
             drawLineIcon(painter, QRect(cell.left() + tablePadding, cell.top(), iconWidth - 4, cell.height()),
                          icon.toString(), index.data(Qt::ForegroundRole).value<QColor>());
@@ -129,14 +131,13 @@ void SheetPage::makeTable() {
     m_table->setSelectionBehavior(QAbstractItemView::SelectItems);
     m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                              QAbstractItemView::AnyKeyPressed);
-    for (std::size_t column = 0; column < columnWidths.size(); ++column)
-        m_table->setColumnWidth(static_cast<int>(column), columnWidths[column]);
     m_table->horizontalHeader()->setSectionResizeMode(static_cast<int>(SheetColumn::object),
                                                       QHeaderView::Stretch);
     // Its columns need more room than fields.
     m_table->parentWidget()->setMaximumWidth(std::accumulate(columnWidths.begin(), columnWidths.end(), 0) +
                                              mostForObject + 2 * pageMargin);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the page scrolls
+    m_table->installEventFilter(this);
     takeTableKeys(
         *m_table, [this] { paste(); }, [this] { removeRows(); });
     const auto sayWhy = [this](const QString &reason) {
@@ -223,6 +224,48 @@ void SheetPage::chooseSource() {
 
 void SheetPage::fitTable() {
     m_table->setFixedHeight((m_rows.rowCount() + 1) * tableRowHeight + 4);
+    fitColumns();
+}
+
+/// Room for its texts and heading.
+int SheetPage::neededWidth(int column) const {
+    const QFontMetrics head(themeFont(TextSize::small));
+    const QFontMetrics cells(m_table->font());
+    int width = head.horizontalAdvance(m_rows.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    for (int row = 0; row < m_rows.rowCount(); ++row) {
+        const QModelIndex cell = m_rows.index(row, column);
+        width = std::max(width, cells.horizontalAdvance(cell.data().toString()) +
+                                    (cell.data(SheetModel::iconRole).isValid() ? iconWidth : 0));
+    }
+    return width + 2 * tablePadding + 2;
+}
+
+/// Where the object lacks room, the other columns give up what they do not need, then the pictures. Widths
+/// that the user has drawn stay as long as nothing else comes of it.
+void SheetPage::fitColumns() {
+    constexpr auto object = static_cast<int>(SheetColumn::object);
+    std::vector<int> widths(columnWidths.begin(), columnWidths.end());
+    int lacking = neededWidth(object) - m_table->width() +
+                  std::accumulate(widths.begin(), widths.end(), -columnWidths[object]);
+    for (int column = m_rows.columnCount() - 1; column >= 0; --column) {
+        if (column == object || column == SheetModel::picture)
+            continue;
+        int &width = widths.at(static_cast<std::size_t>(column));
+        const int spared = std::clamp(width - neededWidth(column), 0, std::max(lacking, 0));
+        lacking -= spared;
+        width -= spared;
+    }
+    m_table->setColumnHidden(SheetModel::picture, lacking > 0);
+    if (std::exchange(m_widths, widths) == widths)
+        return;
+    for (int column = 0; column < m_rows.columnCount(); ++column)
+        m_table->setColumnWidth(column, widths.at(static_cast<std::size_t>(column)));
+}
+
+bool SheetPage::eventFilter(QObject *watched, QEvent *event) {
+    if (watched == m_table && event->type() == QEvent::Resize)
+        fitColumns();
+    return Form::eventFilter(watched, event);
 }
 
 void SheetPage::refreshOthers() {

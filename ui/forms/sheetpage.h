@@ -23,6 +23,7 @@ public:
 
 protected:
     void refreshOthers() override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void makeTable();
@@ -32,6 +33,8 @@ private:
     void removeRows();
     void chooseSource();
     void fitTable();
+    void fitColumns();
+    [[nodiscard]] int neededWidth(int column) const;
     [[nodiscard]] std::vector<SheetRow> rows() const;
 
     SheetModel m_rows;
@@ -40,6 +43,7 @@ private:
     QTableView *m_table;
     QPushButton *m_link = nullptr;
     TablePaste *m_pasted;
+    std::vector<int> m_widths; ///< of the columns, as they were fitted last
 };
 
 } // namespace palmer::ui

@@ -58,6 +58,22 @@ class SheetPageTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The columns of short texts give the object the room that it lacks.
+    void objectsAreWhole() {
+        const ShownSheet sheet;
+        constexpr auto object = static_cast<int>(SheetColumn::object);
+        const QFontMetrics metrics(sheet.table->font());
+        for (const int width : {1024, 1280, 1600}) {
+            sheet.shown.window->resize(width, 768);
+            QTest::qWait(20); // layouts
+            for (int row = 0; row < sheet.table->model()->rowCount(); ++row)
+                QVERIFY2(metrics.horizontalAdvance(sheet.said(row, object)) <
+                             sheet.table->columnWidth(object),
+                         qPrintable(QString("%1 at %2").arg(sheet.said(row, object)).arg(width)));
+        }
+        QVERIFY(!sheet.table->isColumnHidden(SheetModel::picture)); // where there is room
+    }
+
     /// The numbers of the linked row are within its limit by more than U: the reason is another.
     void sayWhyNothingIsProven() {
         const ShownSheet sheet;
