@@ -4,6 +4,7 @@
 
 #include "ui/formulatext.h"
 
+#include <QStyleOptionButton>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
 
@@ -73,6 +74,27 @@ namespace {
 constexpr int besideWords = 4; ///< margin that styles leave within the field
 
 } // namespace
+
+ElidedButton::ElidedButton(QWidget *parent)
+    : QPushButton(parent) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+QString ElidedButton::shownText() const {
+    QStyleOptionButton option;
+    initStyleOption(&option);
+    const QRect words = style()->subElementRect(QStyle::SE_PushButtonContents, &option, this);
+    return fontMetrics().elidedText(text(), Qt::ElideRight, words.width());
+}
+
+void ElidedButton::paintEvent(QPaintEvent *) {
+    QStylePainter painter(this);
+    QStyleOptionButton option;
+    initStyleOption(&option);
+    option.text = shownText();
+    painter.drawControl(QStyle::CE_PushButton, option);
+    setToolTip(option.text == text() ? QString() : text());
+}
 
 QString ElidedBox::shownText() const {
     QStyleOptionComboBox option;

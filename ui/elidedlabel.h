@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QString>
 
 namespace palmer::ui {
@@ -38,6 +39,24 @@ protected:
 
 private:
     QString m_separator;
+};
+
+/// A button whose text is elided with "…" if it does not fit; styles cut it at both ends. The tooltip then
+/// shows the whole text.
+class ElidedButton : public QPushButton {
+    Q_OBJECT
+
+public:
+    explicit ElidedButton(QWidget *parent = nullptr);
+
+    [[nodiscard]] QString shownText() const;
+
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        return {0, QPushButton::minimumSizeHint().height()};
+    }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
 };
 
 /// A combo box whose text is elided with "…" if it does not fit; styles clip it mid-letter.

@@ -490,8 +490,9 @@ void ReportDialog::showProgress() {
     m_print->setEnabled(ready);
     m_close->setEnabled(!m_writer.isBusy());
     const SimulationProgress &progress = m_simulator.progress();
-    const QLocale locale;
-    QString text = tr("Monte Carlo: %1 trials").arg(locale.toString(progress.trials));
+    QString text =
+        tr("Monte Carlo: %1 trials")
+            .arg(windowLanguage().number(static_cast<double>(progress.trials), Quantity::count, 0));
     if (const auto left = m_simulator.secondsLeft())
         text += QStringLiteral(" · ") + tr("%1 s left").arg(qCeil(*left));
     m_simulationText->setText(text);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/mainwindow.h"
 #include "kernel/measurement/testfacts.h"
+#include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
@@ -248,7 +249,7 @@ void MainWindow::makeStatusBar() {
     m_state = made<QLabel>("statusState", TextSize::small, trait::secondary, this);
     m_content->setContentsMargins(14, 0, 8, 0);
     m_state->setContentsMargins(8, 0, 14, 0);
-    m_lack = made<QPushButton>("statusLack", trait::link, trait::notDefault, this);
+    m_lack = made<ElidedButton>("statusLack", trait::link, trait::notDefault, this);
     m_lack->setFont(themeFont(TextSize::small));
     m_lack->hide();
     connect(m_lack, &QPushButton::clicked, this, [this] { workplace().showFindings(); });

@@ -14,6 +14,10 @@ class PageTabs : public QTabBar {
 public:
     explicit PageTabs(QWidget *parent = nullptr);
 
+    /// How the tabs get room: none is needed, only the current word is bold, words are small as well, counts
+    /// are dots.
+    enum class Tightness { none, tight, small, dots };
+
     /// Number of missing statements of a tab; 0 shows none.
     void setCount(int tab, int count);
     [[nodiscard]] int count(int tab) const;
@@ -29,12 +33,13 @@ protected:
     void tabLayoutChange() override { fit(); }
 
 private:
-    /// Where words do not fit as wide as they are in bold, only the current one is.
     void fit();
-    [[nodiscard]] int widthOf(int index, bool tight) const;
+    void paintCount(QPainter &painter, const QRect &badge, int count) const;
+    [[nodiscard]] bool fits(Tightness tightness) const;
+    [[nodiscard]] int widthOf(int index, Tightness tightness) const;
 
     bool m_low = false;
-    bool m_tight = false;
+    Tightness m_tightness = Tightness::none;
     int m_widest = -1; ///< the current tab when the sizes were updated
 };
 

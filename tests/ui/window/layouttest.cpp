@@ -15,6 +15,7 @@
 #include "ui/readings/readingsmodel.h"
 #include "ui/results/resultsmodel.h"
 #include "ui/welcome/examples.h"
+#include "ui/window/pagetabs.h"
 
 #include <QCheckBox>
 #include <QImage>
@@ -100,6 +101,8 @@ private slots:
     void agreedPointsBeginWithACapital();
     void agreedPointsAreSeventyHigh();
     void buttonsCanBeHit();
+    void theStatusIsNotCutInALetter();
+    void sevenTabsAreInSight_data();
     void sevenTabsAreInSight();
     void theNumberOfAnAgreementIsTypedBesideItsText();
     void symbolsInLabelsHaveTheirIndex();
@@ -862,11 +865,21 @@ void LayoutTest::agreedPointsAreSeventyHigh() {
     }
 }
 
+void LayoutTest::sevenTabsAreInSight_data() {
+    QTest::addColumn<int>("width");
+    QTest::newRow("narrow") << 1024;
+    QTest::newRow("as it is opened") << 1280;
+    QTest::newRow("usual") << 1366;
+}
+
 /// The page of a circle with its counts, in the longer language.
 void LayoutTest::sevenTabsAreInSight() {
+    QFETCH(int, width);
     setWindowLanguage(Language::Id::french);
-    const ShownWindow shown(examplePath("teaching-04-squareness"), {1366, 768});
-    const auto *tabs = shown.find<QTabBar>("pageTabs");
+    const ShownWindow shown(examplePath("teaching-04-squareness"), {width, 768});
+    auto *tabs = shown.find<PageTabs>("pageTabs");
+    for (const int tab : {0, 1, 2, 4}) // as in a new file
+        tabs->setCount(tab, 18);
     int visible = 0;
     for (int tab = 0; tab < tabs->count(); ++tab) {
         if (!tabs->isTabVisible(tab))
@@ -878,6 +891,15 @@ void LayoutTest::sevenTabsAreInSight() {
         QVERIFY2(tabs->tabRect(tabs->count() - 2).right() <= tabs->width(), qPrintable(tabs->tabText(tab)));
     }
     QCOMPARE(visible, 7);
+}
+
+/// As in a small window of a screen with large pixels.
+void LayoutTest::theStatusIsNotCutInALetter() {
+    const ShownWindow shown(examplePath("x-axis-as-found-as-left"), {683, 512});
+    const auto *lack = shown.find<ElidedButton>("statusLack");
+    QTRY_VERIFY(lack->isVisible() && lack->shownText().endsWith(u'…'));
+    QVERIFY(lack->fontMetrics().horizontalAdvance(lack->shownText()) <= lack->width());
+    QVERIFY(lack->geometry().right() < lack->parentWidget()->width());
 }
 
 /// 24 px at least, on every page.
