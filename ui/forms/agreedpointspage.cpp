@@ -430,9 +430,36 @@ void AgreedPointsPage::refresh() {
     m_source->setFont(themeFont(TextSize::small));
 }
 
+std::vector<AgreedPointsPage::Found> AgreedPointsPage::found() const {
+    std::vector<Found> result;
+    if (m_scroll->isHidden()) // there is no edition, nor a point
+        return result;
+    const Test &test = *m_evaluated.document->tests[m_test];
+    for (const Row &row : m_rows) {
+        const AgreedPoint *agreed = agreedPoint(test, row.point->point);
+        const bool settled = agreed && agreed->state != AgreementState::notAgreed;
+        QStringList said;
+        if (row.value && agreed && agreed->value)
+            said << row.value->valueText() + QChar(QChar::Nbsp) +
+                        m_language.unit(*agreedQuantity(row.point->point, test));
+        if (const QString text = row.text->text().simplified(); !text.isEmpty())
+            said << text;
+        if (said.isEmpty())
+            said << row.text->accessibleDescription(); // its state
+        result.push_back({idOf(row), row.name->text(), said.join(QStringLiteral(" · ")),
+                          !settled && roleOf(*row.point, test) == PointRole::listed});
+    }
+    return result;
+}
+
+/// The ID of the finding of its point.
+QString AgreedPointsPage::idOf(const Row &row) {
+    return QStringLiteral("agreedPoints.") + QString::fromLatin1(row.point->point);
+}
+
 bool AgreedPointsPage::focusField(const QString &id) {
     for (const Row &row : m_rows) {
-        if (id != QStringLiteral("agreedPoints.") + QString::fromLatin1(row.point->point))
+        if (id != idOf(row))
             continue;
         if (row.area->isHidden()) {
             m_showsAll = true;

@@ -31,6 +31,14 @@ public:
     void setLanguage(const Language &language);
     /// Focuses the text of a point by the ID of its finding ("agreedPoints.…").
     bool focusField(const QString &id);
+    /// A point with what is said of it, as the search shows it; `id` is that of its finding.
+    struct Found {
+        QString id;
+        QString name;
+        QString value;
+        bool isMissing = false;
+    };
+    [[nodiscard]] std::vector<Found> found() const;
     /// Numbers typed here, for any test, that cannot be accepted.
     [[nodiscard]] QStringList refusedTexts() const;
 
@@ -54,6 +62,7 @@ private:
         Field *value = nullptr;      ///< the agreed number; null for points agreed only in words
     };
 
+    [[nodiscard]] static QString idOf(const Row &row);
     void build(const Edition &edition, const Test &test);
     void addRow(const AgreementPoint &point, const Test &test);
     [[nodiscard]] QHBoxLayout *makeStates(const Row &row);

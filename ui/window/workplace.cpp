@@ -608,6 +608,17 @@ std::vector<SearchEntry> Workplace::searchEntries() {
     if (test >= m_evaluated.tests.size())
         return entries;
     const TestEvaluation &evaluation = *m_evaluated.tests[test];
+    if (hasPage(Page::agreedPoints)) {
+        for (const AgreedPointsPage::Found &point : m_agreedPoints->found())
+            entries.push_back({SearchGroup::fields, point.name,
+                               point.isMissing ? tr("not stated") : point.value,
+                               FindingsModel::pageName(Page::agreedPoints),
+                               [this, id = point.id] {
+                                   showPage(Page::agreedPoints);
+                                   m_selection.setField(id);
+                               },
+                               point.isMissing});
+    }
     for (const Parameter &parameter : evaluation.parameters) {
         const QString value = parameter.value
                                   ? windowLanguage().quantity(*parameter.value, parameter.term.quantity, 1)

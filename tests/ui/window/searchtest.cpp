@@ -62,6 +62,23 @@ private slots:
                     QApplication::focusWidget()->accessibleName().startsWith("Temperature gradient"));
     }
 
+    /// A point that may be agreed is found, whether it is stated or not.
+    void agreedPointsAreFound() {
+        const ShownWindow shown(examplePath("x-axis-as-found-as-left"), {1366, 768});
+        QVERIFY(QTest::qWaitForWindowActive(shown.window));
+        auto *box = shown.find<QLineEdit>("searchBox");
+        shown.find<QAction>("search")->trigger();
+        QTRY_VERIFY(box->hasFocus());
+        QTest::keyClicks(box, "first and last");
+        QTRY_VERIFY(shown.find<QListView>("searchList")->isVisible());
+        QCOMPARE(shown.find<QListView>("searchList")->currentIndex().data().toString(),
+                 u"First and last target"_s);
+        QTest::keyClick(box, Qt::Key_Return);
+        QCOMPARE(shown.window->workplace().selection().page(), Page::agreedPoints);
+        QTRY_VERIFY(QApplication::focusWidget() &&
+                    QApplication::focusWidget()->objectName() == u"field.agreedPoints.firstLastTarget"_s);
+    }
+
     /// Results, findings and commands; arrows pass the heads, Ctrl+Enter stays, Esc ends.
     void allGroupsAreReachedByKeys() {
         const ShownWindow shown(examplePath("x-axis-as-found-as-left"), {1366, 768});
