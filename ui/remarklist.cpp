@@ -84,6 +84,11 @@ bool canBeConfirmed(const Question &question) {
     return question.canBeAssumed();
 }
 
+const ImportChoice *guessOf(const Remark &remark, const Imported &imported) {
+    const auto choice = std::ranges::find(imported.choices, remark.choice, &ImportChoice::key);
+    return choice != imported.choices.end() && choice->origin == Origin::guessed ? &*choice : nullptr;
+}
+
 RemarkList::RemarkList(QWidget *parent)
     : QWidget(parent)
     , m_rows(new QVBoxLayout(this)) {
@@ -106,6 +111,7 @@ void RemarkList::clear() {
 void RemarkList::showRemarks(const Imported &imported, const std::optional<QString> &refusal,
                              const std::function<bool(std::size_t)> &hasLine) {
     m_hasLine = hasLine;
+    m_isNarrow = false;
     clear();
     if (refusal) {
         auto *reason =
@@ -118,8 +124,8 @@ void RemarkList::showRemarks(const Imported &imported, const std::optional<QStri
         const Remark &remark = imported.remarks[i];
         const QString sentence = windowLanguage().sentence(remark.message);
         QHBoxLayout *row = addRow(remark.grade, sentence, {remark.line, remark.column, remark.times});
-        const auto choice = std::ranges::find(imported.choices, remark.choice, &ImportChoice::key);
-        if (choice == imported.choices.end() || choice->origin != Origin::guessed)
+        const ImportChoice *choice = guessOf(remark, imported);
+        if (!choice)
             continue;
         const QString id = QString::fromStdString(remark.choice);
         QPushButton *button = addLink(*row, tr("confirm"), sentence);
@@ -135,15 +141,30 @@ void RemarkList::showRemarks(const Imported &imported, const std::optional<QStri
 
 void RemarkList::showQuestions(const std::vector<Question> &questions) {
     m_hasLine = [](std::size_t) { return false; };
+    m_isNarrow = true;
     clear();
     for (const Question &question : questions)
         addQuestion(question);
 }
 
-QHBoxLayout *RemarkList::addRow(RemarkGrade grade, QString sentence, const Place &place) {
+bool RemarkList::focusFirst() {
+    const QList<QPushButton *> links = findChildren<QPushButton *>();
+    const auto first =
+        std::ranges::find_if(links, [this](QPushButton *link) { return link->isVisibleTo(this); });
+    if (first != links.end())
+        (*first)->setFocus();
+    return first != links.end();
+}
+
+/// Returns the place of its links: behind the sentence, or below it where the list is narrow. `word`: of its
+/// grade; may be null.
+QHBoxLayout *RemarkList::addRow(RemarkGrade grade, QString sentence, const Place &place, QLabel *word) {
     auto *row = new QWidget;
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 2, 0, 2);
+    auto *rows = new QVBoxLayout(row);
+    rows->setContentsMargins(0, 2, 0, 2);
+    rows->setSpacing(0);
+    auto *layout = new QHBoxLayout;
+    rows->addLayout(layout);
     auto *icon = new GradeIcon(grade, row);
     if (place.times > 1)
         sentence += QStringLiteral(" (× %1)").arg(place.times);
@@ -153,7 +174,14 @@ QHBoxLayout *RemarkList::addRow(RemarkGrade grade, QString sentence, const Place
         sentence = tr("Line %1: %2").arg(place.line).arg(sentence);
     auto *text = made<QLabel>(trait::plainText, trait::wrapped, sentence, row);
     layout->addWidget(icon);
+    if (word)
+        layout->addWidget(word);
     layout->addWidget(text, 1);
+    if (m_isNarrow) {
+        layout = new QHBoxLayout;
+        layout->addStretch();
+        rows->addLayout(layout);
+    }
     if (m_hasLine(place.line))
         connect(addLink(*layout, tr("go to the line"), sentence), &QPushButton::clicked, this,
                 [this, line = place.line] { emit lineWanted(line); });
@@ -164,15 +192,14 @@ QHBoxLayout *RemarkList::addRow(RemarkGrade grade, QString sentence, const Place
 void RemarkList::addQuestion(const Question &question) {
     const QString sentence = windowLanguage().sentence(question.sentence);
     const bool isDoubtful = question.grade == QuestionGrade::doubtful;
-    QHBoxLayout *row = addRow(isDoubtful ? RemarkGrade::problem : RemarkGrade::assumption, sentence,
-                              {question.line, question.column, question.further.size() + 1});
     auto *grade = new QLabel(isDoubtful ? tr("doubtful") : tr("assumed"));
     grade->setToolTip(isDoubtful ? tr("Something speaks against it: it wants an answer of its own.")
                                  : tr("The file does not say it and the usual holds."));
     grade->setFont(themeFont(TextSize::small));
     grade->setStyleSheet(
         QStringLiteral("color: %1;").arg(token(isDoubtful ? Token::bad : Token::unsure, palette()).name()));
-    row->insertWidget(1, grade);
+    QHBoxLayout *row = addRow(isDoubtful ? RemarkGrade::problem : RemarkGrade::assumption, sentence,
+                              {question.line, question.column, question.further.size() + 1}, grade);
     row->parentWidget()->setObjectName(QStringLiteral("question.") + QString::fromStdString(question.id));
     addAnswers(*row, question, sentence);
 }

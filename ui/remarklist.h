@@ -25,6 +25,8 @@ public:
 
     /// Shows only questions, e.g. those of a paste.
     void showQuestions(const std::vector<Question> &questions);
+    /// Focuses the first answer. False if there is none.
+    bool focusFirst();
 
 signals:
     /// The question with this ID was answered.
@@ -41,16 +43,19 @@ private:
     };
 
     void clear();
-    QHBoxLayout *addRow(RemarkGrade grade, QString sentence, const Place &place);
+    QHBoxLayout *addRow(RemarkGrade grade, QString sentence, const Place &place, QLabel *word = nullptr);
     void addQuestion(const Question &question);
     void addAnswers(QHBoxLayout &row, const Question &question, const QString &sentence);
 
     std::function<bool(std::size_t)> m_hasLine;
+    bool m_isNarrow = false; ///< links are below their sentence
     QVBoxLayout *m_rows;
 };
 
 /// True if the question may be answered together with others: it has a proposal, and confirming it leaves out
 /// no data.
 [[nodiscard]] bool canBeConfirmed(const Question &question);
+/// The guess that a remark is about and that can be confirmed; null if there is none.
+[[nodiscard]] const ImportChoice *guessOf(const Remark &remark, const Imported &imported);
 
 } // namespace palmer::ui

@@ -455,11 +455,15 @@ void ImportAssistant::readTableAt(const QModelIndex &place) {
 }
 
 void ImportAssistant::confirmAll() {
-    // Confirms only the current questions: an answer may raise another, which must be read first.
+    // Confirms only what is asked now: an answer may raise another question, which must be read first.
     ImportOptions options = m_options;
     for (const Question &question : m_file.imported.questions) {
         if (canBeConfirmed(question))
             options[question.id] = question.proposal;
+    }
+    for (const Remark &remark : m_file.imported.remarks) {
+        if (const ImportChoice *guess = guessOf(remark, m_file.imported))
+            options[guess->key] = guess->value;
     }
     takeOptions(std::move(options));
 }
@@ -768,6 +772,8 @@ void ImportAssistant::showAnswerOf(const QString &key) {
 }
 
 void ImportAssistant::showRemarks() {
+    const QWidget *focused = focusWidget();
+    const bool isAnswering = focused && (focused == m_confirmAll || m_remarks->isAncestorOf(focused));
     m_remarks->showRemarks(m_file.imported, m_refusal,
                            [this](std::size_t line) { return m_raw.rowOf(line) >= 0; });
     const auto questions = static_cast<int>(m_file.imported.questions.size());
@@ -775,6 +781,8 @@ void ImportAssistant::showRemarks() {
                                           : tr("Remarks"));
     m_remarksPlace->setAccessibleName(m_remarksTitle->text());
     m_confirmAll->setVisible(std::ranges::count_if(m_file.imported.questions, canBeConfirmed) > 0);
+    if (isAnswering && !m_remarks->focusFirst())
+        m_import->setFocus();
 }
 
 void ImportAssistant::showCurve() {
@@ -867,9 +875,9 @@ void ImportAssistant::refresh() {
     m_columns->showColumns(m_file.imported.columns);
     showSizes();
     showChoices();
-    showRemarks();
-    showCurve();
     showState();
+    showRemarks(); // may focus the button that the state enables
+    showCurve();
 }
 
 /// Shows the number of readings to import, or what prevents it.
@@ -961,8 +969,8 @@ void ImportAssistant::retranslate() {
     m_columns->setAccessibleName(tr("Roles of the columns"));
     m_remarks->setAccessibleName(tr("Questions and remarks"));
     m_confirmAll->setText(tr("Confirm &all"));
-    m_confirmAll->setToolTip(
-        tr("Takes what is proposed to each assumed question; a doubtful one wants its own answer"));
+    m_confirmAll->setToolTip(tr(
+        "Takes what is proposed to each assumed question and remark; a doubtful one wants its own answer"));
     m_keep->setText(tr("&Keep the original in the file"));
     m_saveProfile->setText(tr("&Save these choices as a profile…"));
     m_cancel->setText(tr("&Cancel"));

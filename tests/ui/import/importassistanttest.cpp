@@ -269,6 +269,24 @@ private slots:
         QCOMPARE(dialog.result(), int(QDialog::Accepted));
     }
 
+    /// Remarks, too, have a link that says so; the keyboard goes on to what is left, or to the import.
+    void confirmAllConfirmsAllThatItSays() {
+        ImportAssistant dialog("P;1;2;3;4;5;6\n0;0,001;0,002;0,0015;0,003;0,001;0,002\n"
+                               "100;0,002;0,003;0,0025;0,004;0,002;0,003\n"
+                               "200;0,003;0,004;0,0035;0,005;0,003;0,004\n",
+                               "bare.csv", nullptr);
+        dialog.show();
+        QVERIFY(dialog.findChild<QPushButton *>("confirm.sign"));
+        auto *all = dialog.findChild<QPushButton *>("confirmAll");
+        all->setFocus();
+        all->click();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QCOMPARE(openQuestions(dialog), QStringList());
+        for (const auto *button : dialog.findChildren<QPushButton *>())
+            QVERIFY2(!button->objectName().startsWith("confirm."), qPrintable(button->objectName()));
+        QCOMPARE(dialog.focusWidget(), importButton(dialog));
+    }
+
     void confirmAllLeavesOutNoData() {
         ImportAssistant dialog(bytesOf("tables/typical.csv"), "typical.csv", nullptr);
         dialog.show();
