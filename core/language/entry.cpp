@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language/entry.h"
 
+#include "kernel/words/unit.h"
 #include "language/language.h"
 
 #include <QDate>
@@ -23,6 +24,7 @@ constexpr Text notAscending = REPORT_TEXT("report", "the first number is not the
 constexpr Text notADate = REPORT_TEXT("report", "not a date such as 2026-03-12, 12.03.2026 or 12 March 2026");
 constexpr Text notATime = REPORT_TEXT("report", "not a time");
 
+constexpr Text otherUnit = REPORT_TEXT("report", "another unit than the one shown");
 constexpr Text withExponent = REPORT_TEXT("report", "a power of ten: type all digits");
 
 /// "1e99", "2.5E-3": a number as programs write it.
@@ -33,6 +35,16 @@ bool isWithExponent(QStringView text) {
 
 bool isDigit(QChar c) {
     return c >= u'0' && c <= u'9';
+}
+
+/// The unit that ends a number: "5 um", "2in"; null if there is none.
+const Unit *unitAfter(QStringView text) {
+    const auto last = std::find_if(text.rbegin(), text.rend(), isDigit);
+    const std::string end = text.last(last - text.rbegin()).trimmed().toString().toStdString();
+    if (last == text.rend() || end.empty())
+        return nullptr;
+    const Unit *unit = unitOf(end);
+    return unit ? unit : unitOfSign(end);
 }
 
 NumberEntry refused(const Text &reason) {
@@ -95,8 +107,13 @@ int monthOf(const QString &name) {
 NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUnits &units) {
     QStringView trimmed = typed.trimmed();
     const QString unit = QString::fromUtf8(shownUnit(quantity, units).sign);
-    if (!unit.isEmpty() && trimmed.endsWith(unit))
+    if (!unit.isEmpty() && trimmed.endsWith(unit)) {
         trimmed = trimmed.chopped(unit.size()).trimmed();
+    } else if (const Unit *other = unit.isEmpty() ? nullptr : unitAfter(trimmed)) {
+        if (unit != QString::fromUtf8(other->sign))
+            return refused(otherUnit);
+        trimmed = trimmed.chopped(QLatin1StringView(other->word).size()).trimmed(); // "um"
+    }
     if (trimmed.isEmpty())
         return {};
     std::string plain;

@@ -46,6 +46,8 @@ void EntryTest::readsNumbers_data() {
     QTest::newRow("a plus")                       << "+3"            << Quantity::number      << 3.0;
     QTest::newRow("the unit shown")               << "2,5 s"         << Quantity::time        << 2.5;
     QTest::newRow("the unit shown, a deviation")  << "-12.5µm"       << Quantity::deviation   << -0.0125;
+    QTest::newRow("the same as it can be typed")  << "-12.5 um"      << Quantity::deviation   << -0.0125;
+    QTest::newRow("without the sign of degrees")  << "20.5 C"        << Quantity::temperature << 20.5;
     QTest::newRow("no digit before the mark")     << ",5"            << Quantity::number      << 0.5;
     QTest::newRow("no digit after it")            << "5."            << Quantity::number      << 5.0;
     QTest::newRow("blanks around")                << "  5 "          << Quantity::number      << 5.0;
@@ -87,7 +89,7 @@ void EntryTest::refusesWhatIsNoNumber_data() {
     QTest::newRow("a sign inside") << "1-2"
                                    << "not a number";
     QTest::newRow("another unit") << "5 in"
-                                  << "not a number";
+                                  << "another unit than the one shown";
     QTest::newRow("infinity") << "inf"
                               << "not a number";
     QTest::newRow("no number") << "nan"
