@@ -201,7 +201,8 @@ QStringList examplesOf(const Command &command, const QString &part) {
         "feed --specified-diameter 100 --specified-feed 500 --diameter 125",
         "synthesize circular --source backlash:X=6 -o made.palmer", "synthesize positioning --noise 0.5 -o made.palmer",
         "register scan FOLDER", "register list --due 2030-01-01", "register trend --machine 7 --axis X -o x.svg",
-        "register report --machine 7 -o history.pdf", "register type FOLDER --parameter A", "register join 7 8", "register interval 7 12",
+        "register report --machine 7 -o history.pdf", "register type FOLDER --parameter A", "register join 7 8", "register separate 000-018",
+        "register interval 7 12",
         "schema", "schema results",
         "selftest", "selftest --report validation.pdf"};
     // clang-format on

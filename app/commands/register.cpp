@@ -312,6 +312,25 @@ int runChoice(const Invocation &invocation) {
     return done;
 }
 
+/// Separates a machine from the one that it was joined with, by its own name or serial number.
+int runSeparate(const Invocation &invocation) {
+    const QString &name = invocation.arguments[1];
+    Register reg(registerAddress(invocation));
+    const QString wanted = asCompared(name);
+    for (const ListedMachine &machine : machines(reg.database())) {
+        const auto part = std::ranges::find_if(machine.joined, [&](const MachineFields &joined) {
+            return asCompared(joined.serialNumber) == wanted || asCompared(joined.name) == wanted;
+        });
+        if (part == machine.joined.end())
+            continue;
+        separateMachine(reg, machine, *part, invocation.language);
+        return done;
+    }
+    throw UsageError({REPORT_TEXT("report", "no machine called “%1” was joined with another; “register list” "
+                                            "shows which were"),
+                      {name.toStdString()}});
+}
+
 const std::vector<Part> &parts() {
     static const std::vector<Part> all{
         {"scan", {"json", "prune", "rebuild", "watch", "jobs", "force"}, -1, runScan},
@@ -331,6 +350,7 @@ const std::vector<Part> &parts() {
          -1,
          runRegisterType},
         {"join", {}, 2, runChoice},
+        {"separate", {}, 1, runSeparate},
         {"interval", {}, 2, runChoice},
     };
     return all;
@@ -375,7 +395,7 @@ int runRegister(const Invocation &invocation) {
         throw UsageError({REPORT_TEXT("report", "register %1 takes no file"), {word.toStdString()}});
     if (part->arguments > 0 && invocation.arguments.size() != part->arguments + 1)
         throw UsageError({REPORT_TEXT("report", "expected: %1"),
-                          {"register join MACHINE MACHINE, register "
+                          {"register join MACHINE MACHINE, register separate MACHINE, register "
                            "interval MACHINE MONTHS"}});
     return codeOf(withoutPassword(registerAddress(invocation)), invocation.language,
                   [&] { return part->run(invocation); });
@@ -405,7 +425,7 @@ Command registerCommand() {
         words.c_str(),
         REPORT_TEXT("report",
                     "all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, "
-                    "report, type [FILE…], join MACHINE MACHINE, interval MACHINE MONTHS"),
+                    "report, type [FILE…], join MACHINE MACHINE, separate MACHINE, interval MACHINE MONTHS"),
         registerOptions,
         runRegister,
         true,

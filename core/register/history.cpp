@@ -134,6 +134,15 @@ private:
                     parts.join(QStringLiteral(", ")).toStdString()});
     }
 
+    [[nodiscard]] QString serialNumbers() const {
+        const ListedMachine &machine = m_history.machine;
+        QStringList all{machine.serialNumber};
+        if (!machine.joined.empty())
+            all << joinedText(machine, m_language);
+        all.removeAll(QString());
+        return all.join(m_language.semicolon());
+    }
+
     void addHead(const QString &title) {
         TestHead head;
         head.laboratory = utf8(m_history.laboratory.name);
@@ -151,7 +160,7 @@ private:
         type.removeAll(QString());
         head.left.rows = {{text(REPORT_TEXT("report", "Machine")), name()},
                           {text(REPORT_TEXT("report", "Maker, type")), type.join(QStringLiteral(", "))},
-                          {text(REPORT_TEXT("report", "Serial number")), machine.serialNumber}};
+                          {text(REPORT_TEXT("report", "Serial number")), serialNumbers()}};
         QString interval = text(REPORT_TEXT("report", "none"));
         if (machine.months)
             interval = m_language.sentence(

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <concepts>
 #include <limits>
+#include <string_view>
 
 namespace palmer {
 
@@ -77,12 +78,22 @@ void eachMember(auto member, Same<ListedTest> auto &listed) {
     member("entry", listed.test);
 }
 
+void eachMember(auto member, Same<MachineFields> auto &machine) {
+    member("name", machine.name);
+    member("manufacturer", machine.manufacturer);
+    member("model", machine.model);
+    member("serialNumber", machine.serialNumber);
+}
+
+constexpr std::string_view joinedKey = "joined"; // only where there are some
+
 void eachMember(auto member, Same<ListedMachine> auto &machine) {
     member("name", machine.name);
     member("manufacturer", machine.manufacturer);
     member("model", machine.model);
     member("serialNumber", machine.serialNumber);
     member("interval", machine.months);
+    member(joinedKey.data(), machine.joined);
 }
 
 void eachMember(auto member, Same<Laboratory> auto &laboratory) {
@@ -141,7 +152,13 @@ Json valueOf(const std::map<QString, QDate> &days) {
 }
 Json valueOf(const Object auto &object) {
     Json result = Json::object();
-    eachMember([&result](const char *key, const auto &value) { result[key] = valueOf(value); }, object);
+    eachMember(
+        [&result](const char *key, const auto &value) {
+            Json json = valueOf(value);
+            if (joinedKey != key || !json.empty())
+                result[key] = std::move(json);
+        },
+        object);
     return result;
 }
 
@@ -199,7 +216,12 @@ void take(const Read &json, std::map<QString, QDate> &days) {
         take(day, days[QString::fromStdString(name)]);
 }
 void take(const Read &json, Object auto &object) {
-    eachMember([&json](const char *key, auto &value) { take(json.at(key), value); }, object);
+    eachMember(
+        [&json](const char *key, auto &value) {
+            if (joinedKey != key || json.contains(key))
+                take(json.at(key), value);
+        },
+        object);
 }
 
 /// False for what the register never writes and no reader expects.

@@ -194,10 +194,20 @@ QByteArray listedTestCsv(const ListedTest &listed, char decimalMark) {
     return summaryCsv(rows, decimalMark);
 }
 
+QString joinedText(const ListedMachine &machine, const Language &language) {
+    QStringList marks;
+    for (const MachineFields &joined : machine.joined)
+        marks << markOf(joined);
+    return language.sentence(
+        {REPORT_TEXT("report", "joined with %1"), {marks.join(QStringLiteral(", ")).toStdString()}});
+}
+
 QString evidenceOf(const ListedMachine &machine, const Language &language) {
     QStringList parts{machine.title(), machine.manufacturer, machine.model, machine.serialNumber};
     if (!machine.isIdentified)
         parts << language.text(REPORT_TEXT("report", "not identified: no serial number"));
+    if (!machine.joined.empty())
+        parts << joinedText(machine, language);
     parts.removeAll(QString());
     parts.removeDuplicates();
     return QString::number(machine.number) + QStringLiteral(". ") + parts.join(QStringLiteral(" · "));

@@ -22,6 +22,9 @@ namespace palmer {
 /// Returns what a machine is known by, after its number: "3. Lathe A · Maker · Type · not identified: …".
 [[nodiscard]] QString evidenceOf(const ListedMachine &machine, const Language &language);
 
+/// Returns what was joined with a machine: "joined with 000-018, Lathe B".
+[[nodiscard]] QString joinedText(const ListedMachine &machine, const Language &language);
+
 /// Returns a readable table of the tests of a machine: one row each, with the main results.
 [[nodiscard]] Report composeList(const QString &title, const std::vector<ListedTest> &tests,
                                  const Language &language);

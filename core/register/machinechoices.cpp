@@ -68,6 +68,10 @@ QByteArray machineFile(const QString &folder) {
     return bytes;
 }
 
+QString sentenceOf(const QString &folder, const Error &error, const Language &language) {
+    return machineFileIn(folder) + QStringLiteral(": ") + sentenceFrom(storedSentence(error), language);
+}
+
 /// Returns the scanned folders with files of a machine.
 QStringList foldersOf(Database &database, const ListedMachine &machine) {
     const MachineFiles files = keptMachineFiles(database);
@@ -146,6 +150,29 @@ QByteArray withChoice(const QByteArray &json, const MachineFields &machine, cons
     return QByteArray::fromStdString(printJson(file));
 }
 
+QByteArray withoutJoin(const QByteArray &json, const QString &machine, const QString &part) {
+    if (json.isEmpty())
+        return json;
+    Json file(parseJson(json.toStdString()));
+    bool isNew = false;
+    for (Json &entry : file["machines"]) {
+        const bool isOfPart = identityOf(entry) == part;
+        Json rest = Json::array();
+        for (const Json &other : entry.value("joined", Json::array())) {
+            const QString identity = identityOf(other);
+            if (identity == part || (isOfPart && identity == machine)) // files may join each to the other
+                isNew = true;
+            else
+                rest.push_back(other);
+        }
+        if (rest.empty())
+            entry.erase("joined");
+        else
+            entry["joined"] = rest;
+    }
+    return isNew ? QByteArray::fromStdString(printJson(file)) : json;
+}
+
 MachineFiles keptMachineFiles(Database &database) {
     MachineFiles result;
     QSqlQuery &query =
@@ -220,10 +247,7 @@ QStringList chooseMachine(Register &reg, const ListedMachine &machine, const Lis
         QDir().mkpath(ownFolder());
         write(ownFolder());
     }
-    const auto sentence = [&](const auto &one) {
-        return machineFileIn(one.first) + QStringLiteral(": ") +
-               sentenceFrom(storedSentence(one.second), language);
-    };
+    const auto sentence = [&](const auto &one) { return sentenceOf(one.first, one.second, language); };
     if (refused.size() > unwritable)
         throw Error(refused.back().second.kind,
                     {REPORT_TEXT("report", "%1"), {sentence(refused.back()).toStdString()}});
@@ -243,6 +267,33 @@ QStringList chooseMachine(Register &reg, const ListedMachine &machine, const Lis
                                {REPORT_TEXT("report", "the folder cannot be written; kept in %1"), {own}}));
     }
     return said;
+}
+
+void separateMachine(Register &reg, const ListedMachine &machine, const MachineFields &part,
+                     const Language &language) {
+    const QString identity = machineIdentity(part);
+    RegisterWriter writer(reg.database());
+    Transaction transaction(reg.database());
+    writer.begin(); // of two that say something at once one waits for the other
+    for (const auto &[folder, kept] : keptMachineFiles(reg.database())) {
+        try {
+            const bool isThere = QFileInfo(folder).isDir();
+            const QByteArray before = isThere ? machineFile(folder) : kept.toUtf8();
+            const QByteArray after = withoutJoin(before, machine.identity, identity);
+            if (after == before)
+                continue;
+            if (!isThere) // a share that is not mounted
+                throw Error(Error::Kind::unwritable,
+                            {REPORT_TEXT("report", "joins them, and is not there now; connect it"), {}});
+            saveBytes(after, machineFileIn(folder));
+        } catch (const Error &error) {
+            throw Error(error.kind,
+                        {REPORT_TEXT("report", "%1"), {sentenceOf(folder, error, language).toStdString()}});
+        }
+    }
+    std::vector<Unreadable> unreadable;
+    writer.takeMachineFiles(changedMachineFiles(reg.database(), {}, unreadable));
+    transaction.commit();
 }
 
 } // namespace palmer

@@ -36,6 +36,10 @@ inline constexpr int longestInterval = 1200; ///< months
 [[nodiscard]] QByteArray withChoice(const QByteArray &json, const MachineFields &machine,
                                     const MachineFields *other, std::optional<int> months);
 
+/// Returns the file without what joins a machine, given by its identity, to that one; the same if nothing
+/// does.
+[[nodiscard]] QByteArray withoutJoin(const QByteArray &json, const QString &machine, const QString &part);
+
 /// Texts of such files, by folder.
 using MachineFiles = std::map<QString, QString>;
 [[nodiscard]] MachineFiles keptMachineFiles(Database &database);
@@ -52,5 +56,10 @@ void forgetMachineFile(Database &database, const QString &folder);
 /// written. Throws Error.
 QStringList chooseMachine(Register &reg, const ListedMachine &machine, const ListedMachine *other,
                           std::optional<int> months, const Language &language);
+
+/// Takes back that one of its joined machines is the same, in all files that say so and in the register.
+/// Throws Error, also where such a file cannot be written: they stay joined then.
+void separateMachine(Register &reg, const ListedMachine &machine, const MachineFields &part,
+                     const Language &language);
 
 } // namespace palmer

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/queries.h"
 
+#include "register/machinechoices.h"
 #include "register/register.h"
 #include "register/storedvalues.h"
 
@@ -170,22 +171,47 @@ std::vector<ListedMachine> statedMachines(Database &database) {
     return result;
 }
 
+/// Adds what other machines tests state: few registers have joined ones, all have many tests.
+void addJoined(Database &database, std::vector<ListedMachine> &machines) {
+    if (keptChoices(database).joined.empty())
+        return;
+    for (const ListedMachine &stated : statedMachines(database)) {
+        const auto machine = std::ranges::find(machines, stated.id, &ListedMachine::id);
+        const QString identity = machineIdentity(stated);
+        if (machine != machines.end() && identity != machine->identity &&
+            std::ranges::find(machine->joined, identity, machineIdentity) == machine->joined.end())
+            machine->joined.push_back(stated);
+    }
+    for (ListedMachine &machine : machines)
+        std::ranges::sort(machine.joined, {}, machineIdentity);
+}
+
 int order(TestRole role) {
     return role == TestRole::asFound ? 0 : role == TestRole::notStated ? 1 : 2;
 }
 
 } // namespace
 
-QString ListedMachine::title() const {
+QString titleOf(const MachineFields &machine) {
+    const auto &[name, manufacturer, model, serialNumber] = machine;
     if (!name.isEmpty())
         return name;
     return model.isEmpty() || serialNumber.isEmpty() ? model + serialNumber : model + u' ' + serialNumber;
 }
 
+QString markOf(const MachineFields &machine) {
+    return isIdentified(machineIdentity(machine)) ? machine.serialNumber : titleOf(machine);
+}
+
 QString searched(const ListedMachine &machine) {
-    return comparable(machine.name) + u'\n' + comparable(machine.manufacturer) + u'\n' +
-           comparable(machine.model) + comparable(machine.serialNumber) + u'\n' +
-           comparable(machine.location);
+    const auto of = [](const MachineFields &fields) {
+        return comparable(fields.name) + u'\n' + comparable(fields.manufacturer) + u'\n' +
+               comparable(fields.model) + comparable(fields.serialNumber) + u'\n';
+    };
+    QString all = of(machine) + comparable(machine.location);
+    for (const MachineFields &fields : machine.joined)
+        all += u'\n' + of(fields);
+    return all;
 }
 
 std::vector<ListedMachine> machines(Database &database) {
@@ -199,6 +225,7 @@ std::vector<ListedMachine> machines(Database &database) {
                               machine.manufacturer, machine.model, machine.serialNumber, machine.location,
                               machine.months);
     }
+    addJoined(database, result);
     std::ranges::sort(result, {}, [](const ListedMachine &machine) {
         return std::tuple(!machine.isIdentified, machine.title(), machine.serialNumber, machine.identity);
     });

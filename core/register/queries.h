@@ -17,6 +17,11 @@ namespace palmer {
 class Database;
 struct SinceLast;
 
+/// Returns the name of a machine, otherwise type and serial number; empty if nothing is stated.
+[[nodiscard]] QString titleOf(const MachineFields &machine);
+/// Returns its serial number, or its title without one.
+[[nodiscard]] QString markOf(const MachineFields &machine);
+
 /// A machine of the register, named as in its newest test.
 struct ListedMachine : MachineFields {
     int id = 0;       ///< within this register; never shown
@@ -24,10 +29,11 @@ struct ListedMachine : MachineFields {
     QString identity; ///< see machineIdentity()
     bool isIdentified = true;
     QString location;
-    std::optional<int> months; ///< interval of its tests; null: none
+    std::optional<int> months;         ///< interval of its tests; null: none
+    std::vector<MachineFields> joined; ///< as tests state machines that were joined to it
 
     /// Returns its name, otherwise type and serial number; empty if nothing is stated.
-    [[nodiscard]] QString title() const;
+    [[nodiscard]] QString title() const { return titleOf(*this); }
 };
 
 /// Location of a test.

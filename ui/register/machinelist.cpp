@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/machinelist.h"
 
+#include "register/listing.h"
 #include "register/machineidentity.h"
 #include "ui/elidedlabel.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
+#include "ui/windowlanguage.h"
 
 #include <QPainter>
 #include <algorithm>
@@ -87,6 +89,8 @@ QStringList MachineRow::facts() const {
                       machine.isIdentified ? MachineModel::tr("No. %1").arg(machine.serialNumber)
                                            : MachineModel::tr("not identified: no serial number"),
                       machine.location};
+    if (!machine.joined.empty())
+        facts << joinedText(machine, windowLanguage());
     facts.removeAll(QString());
     return facts;
 }

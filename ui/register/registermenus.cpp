@@ -43,6 +43,7 @@ RegisterMenus::RegisterMenus(QMainWindow &window) {
     intervals = machineMenu->addMenu(QString());
     intervals->setObjectName(QStringLiteral("intervals"));
     join = added(*machineMenu, "joinMachines", "link");
+    separate = added(*machineMenu, "separateMachines");
     history = added(*machineMenu, "history", "report", QKeySequence::Print);
     type = added(*machineMenu, "typeTest", "bars");
     open = added(*testMenu, "openTest", "open", QKeySequence::Open);
@@ -103,6 +104,7 @@ void RegisterMenus::retranslate() const {
     previous->setText(tr("&Previous machine"));
     next->setText(tr("&Next machine"));
     join->setText(tr("&Join with another…"));
+    separate->setText(tr("S&eparate from another…"));
     history->setText(tr("&History report…"));
     type->setText(tr("&Type test…"));
     open->setText(tr("&Open test"));

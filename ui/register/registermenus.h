@@ -36,6 +36,7 @@ public:
     QAction *previous = nullptr;
     QAction *next = nullptr;
     QAction *join = nullptr;
+    QAction *separate = nullptr; ///< from a machine that was joined
     QAction *history = nullptr;
     QAction *type = nullptr; ///< the machines of one type
     QAction *open = nullptr;

@@ -96,6 +96,17 @@ std::vector<ListedSource> readTroubledFiles(const QString &address) {
     return answered(address, [](Database &database) { return troubledSources(database); });
 }
 
+QString writeSeparation(const QString &address, const ListedMachine &machine, const MachineFields &part,
+                        const Language &language) {
+    try {
+        Register reg(address);
+        separateMachine(reg, machine, part, language);
+        return {};
+    } catch (const Error &error) {
+        return language.sentence(error.message);
+    }
+}
+
 QString writeChoice(const QString &address, const ListedMachine &machine,
                     const std::optional<ListedMachine> &other, std::optional<int> months,
                     const Language &language) {

@@ -27,4 +27,9 @@ namespace palmer::ui {
                                   const std::optional<ListedMachine> &other, std::optional<int> months,
                                   const Language &language);
 
+/// Takes back that one of its joined machines is the same, see separateMachine(). Returns an error, or
+/// nothing.
+[[nodiscard]] QString writeSeparation(const QString &address, const ListedMachine &machine,
+                                      const MachineFields &part, const Language &language);
+
 } // namespace palmer::ui

@@ -120,6 +120,7 @@ void RegisterWindow::makeActions() {
     connect(m_menus.previous, &QAction::triggered, this, [this] { m_side->moveBy(-1); });
     connect(m_menus.next, &QAction::triggered, this, [this] { m_side->moveBy(1); });
     connect(m_menus.join, &QAction::triggered, this, &RegisterWindow::joinMachine);
+    connect(m_menus.separate, &QAction::triggered, this, &RegisterWindow::separateMachine);
     connect(m_menus.history, &QAction::triggered, this, &RegisterWindow::saveHistory);
     connect(m_menus.type, &QAction::triggered, this, &RegisterWindow::showType);
     connect(m_menus.trendAlone, &QAction::toggled, this, [this](bool alone) { m_side->setHidden(alone); });
@@ -217,6 +218,7 @@ void RegisterWindow::showState() {
     m_menus.rescan->setEnabled(hasFolders);
     m_menus.intervals->setEnabled(m_side->chosen());
     m_menus.join->setEnabled(m_side->chosen() && machines.machineCount() > 1);
+    m_menus.separate->setEnabled(m_side->chosen() && !m_side->chosen()->machine.joined.empty());
     m_side->showState(m_service.isScanning());
     m_status->showState(machines.machineCount(), machines.testCount());
     m_menus.troubled->setEnabled(hasFolders || machines.machineCount() > 0);
@@ -288,26 +290,54 @@ void RegisterWindow::setInterval(int months) {
         choose(chosen->machine, {}, months);
 }
 
-/// Afterwards says in the status bar what there is to say.
 void RegisterWindow::choose(const ListedMachine &machine, const std::optional<ListedMachine> &other,
                             std::optional<int> months) {
-    constexpr int shown = 15'000; // ms
-    m_changeLane.start(
-        [address = m_service.address(), language = windowLanguage(), machine, other,
-         months](const Background::Job &) { return writeChoice(address, machine, other, months, language); },
-        [this](const QString &said) {
-            if (!said.isEmpty())
-                m_status->showMessage(said, shown);
-            loadMachines();
-        });
+    change([address = m_service.address(), language = windowLanguage(), machine, other, months] {
+        return writeChoice(address, machine, other, months, language);
+    });
 }
 
-/// Shows what identifies both machines; none is chosen beforehand.
+/// Afterwards says in the status bar what there is to say.
+void RegisterWindow::change(std::function<QString()> write) {
+    m_changeLane.start([write = std::move(write)](const Background::Job &) { return write(); },
+                       [this](const QString &said) {
+                           constexpr int shown = 15'000; // ms
+                           if (!said.isEmpty())
+                               m_status->showMessage(said, shown);
+                           loadMachines();
+                       });
+}
+
+/// None of them is chosen beforehand.
+void RegisterWindow::askForMachine(const QString &title, const QString &question, const QString &ok,
+                                   const QStringList &names, std::function<void(std::size_t)> take) {
+    constexpr QSize roomForNames(560, 320);
+    auto *dialog = new QInputDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    dialog->setLabelText(question);
+    dialog->setComboBoxItems(names);
+    dialog->setOption(QInputDialog::UseListViewForComboBoxItems);
+    dialog->setOkButtonText(ok);
+    dialog->resize(roomForNames);
+    connect(dialog, &QInputDialog::textValueSelected, this,
+            [take = std::move(take), names](const QString &name) {
+                take(static_cast<std::size_t>(names.indexOf(name)));
+            });
+    dialog->open();
+    const auto *list = dialog->findChild<QListView *>();
+    auto *button = dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+    list->selectionModel()->clear();
+    button->setEnabled(false);
+    connect(list->selectionModel(), &QItemSelectionModel::selectionChanged, button,
+            [list, button] { button->setEnabled(list->selectionModel()->hasSelection()); });
+}
+
+/// Shows what identifies both machines.
 void RegisterWindow::joinMachine() {
     const MachineRow *chosen = m_side->chosen();
     if (!chosen)
         return;
-    constexpr QSize roomForNames(560, 320);
     QStringList names;
     std::vector<ListedMachine> others;
     for (const MachineRow &row : m_side->machines().all()) {
@@ -316,26 +346,32 @@ void RegisterWindow::joinMachine() {
         others.push_back(row.machine);
         names << evidenceOf(row.machine, windowLanguage());
     }
-    auto *dialog = new QInputDialog(this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Join machines"));
-    dialog->setLabelText(
-        tr("%1\nis the same machine as:").arg(evidenceOf(chosen->machine, windowLanguage())));
-    dialog->setComboBoxItems(names);
-    dialog->setOption(QInputDialog::UseListViewForComboBoxItems);
-    dialog->setOkButtonText(tr("&Join"));
-    dialog->resize(roomForNames);
-    connect(dialog, &QInputDialog::textValueSelected, this,
-            [this, machine = chosen->machine, others, names](const QString &name) {
-                choose(machine, others.at(static_cast<std::size_t>(names.indexOf(name))), {});
-            });
-    dialog->open();
-    const auto *list = dialog->findChild<QListView *>();
-    auto *join = dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
-    list->selectionModel()->clear();
-    join->setEnabled(false);
-    connect(list->selectionModel(), &QItemSelectionModel::selectionChanged, join,
-            [list, join] { join->setEnabled(list->selectionModel()->hasSelection()); });
+    askForMachine(tr("Join machines"),
+                  tr("%1\nis the same machine as:").arg(evidenceOf(chosen->machine, windowLanguage())),
+                  tr("&Join"), names, [this, machine = chosen->machine, others](std::size_t i) {
+                      choose(machine, others.at(i), {});
+                  });
+}
+
+void RegisterWindow::separateMachine() {
+    const MachineRow *chosen = m_side->chosen();
+    if (!chosen)
+        return;
+    QStringList names;
+    for (const MachineFields &joined : chosen->machine.joined) {
+        QStringList parts{titleOf(joined), joined.manufacturer, joined.model, joined.serialNumber};
+        parts.removeAll(QString());
+        parts.removeDuplicates();
+        names << parts.join(QStringLiteral(" · "));
+    }
+    askForMachine(tr("Separate machines"),
+                  tr("%1\nis not the same machine as:").arg(evidenceOf(chosen->machine, windowLanguage())),
+                  tr("&Separate"), names, [this, machine = chosen->machine](std::size_t i) {
+                      change([address = m_service.address(), language = windowLanguage(), machine,
+                              part = machine.joined.at(i)] {
+                          return writeSeparation(address, machine, part, language);
+                      });
+                  });
 }
 
 void RegisterWindow::askToPrune(const QStringList &folders) {

@@ -10,6 +10,7 @@
 #include "ui/translated.h"
 
 #include <QMainWindow>
+#include <functional>
 #include <vector>
 
 namespace palmer::ui {
@@ -57,8 +58,12 @@ private:
     void addFolder();
     void choose(const ListedMachine &machine, const std::optional<ListedMachine> &other,
                 std::optional<int> months);
+    void change(std::function<QString()> write);
+    void askForMachine(const QString &title, const QString &question, const QString &ok,
+                       const QStringList &names, std::function<void(std::size_t)> take);
     void setInterval(int months);
     void joinMachine();
+    void separateMachine();
     void askToPrune(const QStringList &folders);
     void saveHistory();
     void showType();

@@ -209,8 +209,10 @@ HelpPage registerPage(const Language &language) {
              "report",
              "A machine is known by maker and serial number; capitals and additional blanks are the "
              "only differences that do not count. Without serial number it is “not identified”, known by "
-             "name, maker and type. “Join with another…” makes two machines one. With an interval each "
-             "axis and plane has its day of the next test. Both are kept in palmer-machines.json in the "
+             "name, maker and type. “Join with another…” makes two machines one, “Separate from another…” "
+             "takes "
+             "it back. With an interval each axis and plane has its day of the next test. All is kept in "
+             "palmer-machines.json in the "
              "folder of the files. The mark of a certificate counts the days until one expires.")},
         {REPORT_TEXT("report", "Trend"),
          REPORT_TEXT(

@@ -201,6 +201,7 @@ private slots:
     void aNewerSchemaIsRefused();
     void noTwoMachinesBecomeOne();
     void anIntervalAndAJoinSurviveARebuild();
+    void joinedMachinesArePartedAgain();
     void whatIsSaidMovesWithItsFolder_data();
     void whatIsSaidMovesWithItsFolder();
     void whatComesMeanwhileIsNotGone();
@@ -700,6 +701,47 @@ void RegisterScanTest::anIntervalAndAJoinSurviveARebuild() {
     QFile::remove(file(machineFileName));
     (void)scan(reg, {m_folder});
     QCOMPARE(titles(reg), (QStringList{"Lathe a", "Lathe b", "Lathe c"}));
+}
+
+/// Each of three that were joined one after the other is parted alone; a folder that is not there says so.
+void RegisterScanTest::joinedMachinesArePartedAgain() {
+    for (const char *name : {"a", "b", "c"}) {
+        Sample sample;
+        sample.machine = std::string("Lathe ") + name;
+        sample.serial = name;
+        writeFile(file(QString("%1/%1.palmer").arg(name)), fileOf(sample));
+    }
+    const Language english(Language::Id::english);
+    Register reg(m_path);
+    (void)scan(reg, {file("a"), file("b"), file("c")});
+    const auto all = [&reg] { return machines(reg.database()); };
+    const auto marks = [](const ListedMachine &machine) {
+        QStringList result;
+        for (const MachineFields &joined : machine.joined)
+            result << markOf(joined);
+        return result;
+    };
+    (void)chooseMachine(reg, all()[0], &all()[1], {}, english);
+    (void)chooseMachine(reg, all()[1], &all()[0], {}, english);
+    QCOMPARE(all().size(), std::size_t{1});
+    QCOMPARE(marks(all()[0]), (QStringList{"a", "b"}));
+    QCOMPARE(evidenceOf(all()[0], english).section(" · ", -1), QString("joined with a, b"));
+    separateMachine(reg, all()[0], all()[0].joined[1], english);
+    QCOMPARE(all().size(), std::size_t{2});
+    QCOMPARE(marks(all()[1]), QStringList{"a"}); // its interval and name are those of c
+    QVERIFY(QDir(m_folder).rename("c", "elsewhere"));
+    try {
+        separateMachine(reg, all()[1], all()[1].joined[0], english);
+        QFAIL("parted, though a folder joins them");
+    } catch (const Error &error) {
+        QVERIFY2(sentenceOf(error).contains("connect"), qPrintable(sentenceOf(error)));
+    }
+    QVERIFY(QDir(m_folder).rename("elsewhere", "c"));
+    separateMachine(reg, all()[1], all()[1].joined[0], english);
+    QCOMPARE(all().size(), std::size_t{3});
+    Register anew(m_dir->filePath("anew.sqlite"));
+    (void)scan(anew, {m_folder});
+    QCOMPARE(machines(anew.database()).size(), std::size_t{3});
 }
 
 void RegisterScanTest::whatIsSaidMovesWithItsFolder_data() {
