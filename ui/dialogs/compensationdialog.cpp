@@ -15,6 +15,7 @@
 #include "ui/forms/field.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
+#include "ui/saving.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -348,6 +349,7 @@ bool CompensationDialog::saveTo(const QString &path) {
     try {
         requireNoTestFileName(path);
         saveBytes(m_written, path);
+        saySaved(this, path);
     } catch (const Error &error) {
         showError(this, tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error);
         return false;

@@ -19,6 +19,7 @@
 #include "ui/measures.h"
 #include "ui/model/background.h"
 #include "ui/model/documentmodel.h"
+#include "ui/saving.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -482,6 +483,7 @@ bool PlanDialog::write(const QString &path, const std::function<QByteArray()> &b
     try {
         requireNoTestFileName(path);
         awaited([&] { saveBytes(bytes(), path); });
+        saySaved(this, path);
         return true;
     } catch (const Error &error) {
         showError(this, tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error);

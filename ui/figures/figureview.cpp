@@ -22,6 +22,7 @@
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/ruling.h"
+#include "ui/saving.h"
 #include "ui/theme.h"
 
 #include <QAction>
@@ -505,6 +506,7 @@ bool FigureView::saveTo(const QString &path) {
                                                         : figureAsPdf(shown->figure, shown->title),
                       path);
         });
+        saySaved(this, path);
         return true;
     } catch (const Error &error) {
         showError(this, tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error,

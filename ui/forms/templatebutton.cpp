@@ -9,6 +9,7 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
 #include "ui/model/templatestore.h"
+#include "ui/saving.h"
 #include "ui/windowlanguage.h"
 
 #include <QFileDialog>
@@ -205,7 +206,9 @@ void TemplateButton::save() {
     if (dialog.exec() != QDialog::Accepted)
         return;
     try {
-        saveBytes(writeTemplate(current(suggestedName())), dialog.selectedFiles().constFirst());
+        const QString path = dialog.selectedFiles().constFirst();
+        saveBytes(writeTemplate(current(suggestedName())), path);
+        saySaved(this, path);
     } catch (const Error &error) {
         showError(this, tr("The template cannot be saved"), error);
     }

@@ -8,12 +8,12 @@
 #include "ui/elidedlabel.h"
 #include "ui/help/reporthtml.h"
 #include "ui/madewidgets.h"
+#include "ui/saving.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 #include "validation/validationreport.h"
 
 #include <QBuffer>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
@@ -98,9 +98,7 @@ void HelpWindow::showRow(int row) {
 }
 
 void HelpWindow::saveValidation() {
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the validation document"),
-                                     QStringLiteral("validation.pdf"), tr("PDF documents (*.pdf)"));
+    const QString path = askForPdf(this, tr("Save the validation document"), QStringLiteral("validation"));
     if (path.isEmpty())
         return;
     m_save->setEnabled(false);
@@ -112,6 +110,7 @@ void HelpWindow::saveValidation() {
                          pdf.open(QIODevice::WriteOnly);
                          writePdf(composeValidationDocument(sets, windowLanguage()), pdf);
                          saveBytes(pdf.data(), path);
+                         saySaved(this, path);
                      } catch (const Error &error) {
                          QMessageBox::warning(this, tr("The document was not saved"),
                                               windowLanguage().sentence(error.message));

@@ -6,10 +6,10 @@
 #include "print/pdf/writepdf.h"
 #include "register/history.h"
 #include "register/register.h"
+#include "ui/saving.h"
 #include "ui/windowlanguage.h"
 
 #include <QBuffer>
-#include <QFileDialog>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <variant>
@@ -25,10 +25,8 @@ void HistoryPdf::save(const QString &address, const ListedMachine &machine) {
     if (ask.exec() != QDialog::Accepted)
         return;
     const QString number = ask.textValue().simplified();
-    QString name = number.isEmpty() ? machine.title() : number;
-    const QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the history"),
-                                                      name.replace(u'/', u'-') + QStringLiteral(".pdf"),
-                                                      tr("PDF documents (*.pdf)"));
+    const QString path =
+        askForPdf(&m_window, tr("Save the history"), number.isEmpty() ? machine.title() : number);
     if (path.isEmpty())
         return;
     m_lane.start(
@@ -52,6 +50,7 @@ void HistoryPdf::save(const QString &address, const ListedMachine &machine) {
                 pdf.open(QIODevice::WriteOnly);
                 writePdf(std::get<Report>(composed), pdf);
                 saveBytes(pdf.data(), path);
+                saySaved(&m_window, path);
             } catch (const Error &error) {
                 QMessageBox::warning(&m_window, tr("The history was not saved"),
                                      windowLanguage().sentence(error.message));

@@ -10,17 +10,18 @@
 #include "ui/figures/figurecard.h"
 #include "ui/help/reporthtml.h"
 #include "ui/madewidgets.h"
+#include "ui/saving.h"
 #include "ui/sizeonscreen.h"
 #include "ui/windowlanguage.h"
 
 #include <QBuffer>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTextBrowser>
+#include <algorithm>
 
 namespace palmer::ui {
 
@@ -50,13 +51,16 @@ TypeDialog::TypeDialog(std::vector<TypeTest> tests, QWidget *parent)
     pdf->setAutoDefault(false);
     connect(pdf, &QPushButton::clicked, this, &TypeDialog::save);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    const auto most =
+        std::ranges::max_element(m_tests, {}, [](const TypeTest &test) { return test.members.size(); });
+    m_parameter->setCurrentIndex(static_cast<int>(most - m_tests.begin())); // the first of those
     connect(m_parameter, &QComboBox::currentIndexChanged, this, &TypeDialog::show);
     auto *choice = inRow(8, {label, m_parameter, Placed::stretch()});
     auto *quantiles = inColumn(styleSpacing, {m_quantiles[0], m_quantiles[1]});
     auto *figures = inRow(8, {{m_figure, 3}, {quantiles, 2}});
     inColumn(this, styleMargins, styleSpacing, {choice, {figures, 1}, {m_text, 1}, buttons});
     resize(sizeOnScreen(*this, usual));
-    show(0);
+    show(m_parameter->currentIndex());
 }
 
 void TypeDialog::show(int index) {
@@ -76,10 +80,7 @@ void TypeDialog::show(int index) {
 void TypeDialog::save() {
     const TypeTest &test = m_tests.at(static_cast<std::size_t>(m_parameter->currentIndex()));
     const Report report = composeTypeTest(test, windowLanguage(), true);
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the type test"),
-                                                      QString(report.title).replace(u'/', u'-').remove(u':') +
-                                                          QStringLiteral(".pdf"),
-                                                      tr("PDF documents (*.pdf)"));
+    const QString path = askForPdf(this, tr("Save the type test"), QString(report.title).remove(u':'));
     if (path.isEmpty())
         return;
     try {
@@ -87,6 +88,7 @@ void TypeDialog::save() {
         pdf.open(QIODevice::WriteOnly);
         writePdf(report, pdf);
         saveBytes(pdf.data(), path);
+        saySaved(this, path);
     } catch (const Error &error) {
         showError(this, tr("The type test was not saved"), error);
     }

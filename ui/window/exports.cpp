@@ -10,6 +10,7 @@
 #include "figures/testfigures.h"
 #include "ui/errorbox.h"
 #include "ui/model/background.h"
+#include "ui/saving.h"
 #include "ui/windowlanguage.h"
 
 #include <QCoreApplication>
@@ -62,6 +63,7 @@ void ask(QWidget *window, const QString &title, const QStringList &forms,
         try {
             requireNoTestFileName(path);
             awaited([&, form = formOf()] { saveBytes(bytes(form), path); });
+            saySaved(window, path);
         } catch (const Error &error) {
             refuse(window, path, error);
         }

@@ -928,7 +928,8 @@ bool MainWindow::save() {
 }
 
 bool MainWindow::saveAs() {
-    QFileDialog dialog(this, tr("Save the test file"));
+    QFileDialog dialog(this, tr("Save the test file"),
+                       QSettings().value(QStringLiteral("window/folder")).toString());
     dialog.setObjectName(QStringLiteral("saveDialog"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters({tr("Test files (*.palmer)"), tr("All files (*)")});
@@ -936,10 +937,9 @@ bool MainWindow::saveAs() {
     const QFileInfo report(m_reportPath);
     if (!m_reportPath.isEmpty() && m_model.path().isEmpty())
         dialog.selectFile(report.dir().filePath(report.completeBaseName() + QStringLiteral(".palmer")));
-    else if (m_model.path().isEmpty()) {
-        dialog.setDirectory(QSettings().value(QStringLiteral("window/folder")).toString());
+    else if (m_model.path().isEmpty())
         dialog.selectFile(proposedName(*m_model.document()));
-    } else
+    else
         dialog.selectFile(m_model.path());
     return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().constFirst());
 }

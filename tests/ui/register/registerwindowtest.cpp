@@ -22,6 +22,7 @@
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QGraphicsTextItem>
 #include <QInputDialog>
 #include <QLabel>
@@ -34,10 +35,12 @@
 #include <QScopeGuard>
 #include <QSet>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextDocument>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
@@ -317,6 +320,62 @@ private slots:
         QCOMPARE(find<QLabel>("total")->text(), QString("1 machine · 9 tests"));
         QVERIFY(!join->isEnabled());
         QVERIFY(QFile::exists(folder() + "/palmer-machines.json"));
+        QVERIFY2(find<QLabel>("machineFacts")->text().endsWith(" · joined with Machine 2"),
+                 qPrintable(find<QLabel>("machineFacts")->text()));
+        find<QLineEdit>("machineSearch")->setText("machine 2"); // as either is called
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 1);
+        // And parted again.
+        auto *part = m_window->findChild<QAction *>("separateMachines");
+        QVERIFY(part->isEnabled());
+        part->trigger();
+        QTRY_VERIFY(m_window->findChild<QInputDialog *>());
+        dialog = m_window->findChild<QInputDialog *>();
+        QCOMPARE(dialog->comboBoxItems(), QStringList{"Machine 2 · Maker A · CU 1000"});
+        list = dialog->findChild<QListView *>();
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_Down);
+        QTest::keyClick(list, Qt::Key_Return);
+        settle();
+        find<QLineEdit>("machineSearch")->clear();
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 2);
+        QVERIFY(join->isEnabled() && !part->isEnabled());
+    }
+
+    /// With the ending that was not typed; the status bar says where.
+    void theHistoryIsSaved() {
+        scan();
+        const QString path = m_dir->filePath("history");
+        QTimer::singleShot(0, m_window.get(), [&] {
+            auto *number = qobject_cast<QInputDialog *>(QApplication::activeModalWidget());
+            QVERIFY(number);
+            QTimer::singleShot(0, m_window.get(), [&] {
+                auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+                QVERIFY(dialog);
+                dialog->selectFile(path);
+                QMetaObject::invokeMethod(dialog, "accept");
+            });
+            number->accept();
+        });
+        m_window->findChild<QAction *>("history")->trigger();
+        settle();
+        QVERIFY(QFile::exists(path + ".pdf") && !QFile::exists(path));
+        QVERIFY2(m_window->statusBar()->currentMessage().endsWith("history.pdf"),
+                 qPrintable(m_window->statusBar()->currentMessage()));
+    }
+
+    /// An axis of one machine comes first by its name and says nothing of the type.
+    void aTypeTestBeginsWithMostMachines() {
+        Sample sample;
+        sample.machine = sample.serial = "Machine 1";
+        sample.axis = "B";
+        writeFile(folder() + "/b.palmer", fileOf(sample));
+        scan();
+        m_window->findChild<QAction *>("typeTest")->trigger();
+        settle();
+        const auto *dialog = m_window->findChild<QDialog *>("typeDialog");
+        QVERIFY(dialog);
+        QCOMPARE(dialog->findChild<QComboBox *>("typeParameter")->itemText(0), QString("B · A"));
+        QCOMPARE(dialog->findChild<QComboBox *>("typeParameter")->currentText(), QString("X · A"));
     }
 
     /// A drive that is not connected: one is asked before its tests go.
