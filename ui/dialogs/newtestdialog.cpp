@@ -77,7 +77,8 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
     m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
     m_create->setObjectName(QStringLiteral("createTest"));
     makePrimary(*m_create);
-    inColumn(this, styleMargins, styleSpacing, {m_form, m_read, m_statements, buttons});
+    inColumn(this, styleMargins, styleSpacing,
+             {m_form, m_read, m_statements, Placed::stretch(1), buttons}); // rows keep their places
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connectFields();
@@ -356,10 +357,22 @@ NewTestDialog::Problem NewTestDialog::problem() const {
     return {};
 }
 
+/// A typed list says where it begins and ends, and how many targets it has.
+void NewTestDialog::showListed() {
+    const auto listed = m_listed ? targets() : std::nullopt;
+    if (!listed || listed->empty())
+        return;
+    const Quantity quantity = positionQuantity(axis());
+    m_first->setText(m_language.number(certain(listed->front()), quantity));
+    m_last->setText(m_language.number(certain(listed->back()), quantity));
+    m_count->setText(QString::number(listed->size()));
+}
+
 /// Shows the message below its field.
 void NewTestDialog::check() {
     const Problem found = problem();
     showRead();
+    showListed();
     for (QWidget *field :
          std::initializer_list<QWidget *>{m_name, m_travel, m_runs, m_first, m_last, m_count, m_list}) {
         const bool refused = field == found.field;

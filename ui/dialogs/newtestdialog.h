@@ -57,6 +57,7 @@ private:
     [[nodiscard]] std::optional<PastedTargets> readTargets(QString *problem = nullptr) const;
     [[nodiscard]] std::optional<std::vector<double>> targets() const;
     void showRead();
+    void showListed();
     [[nodiscard]] TargetRequest request() const;
     [[nodiscard]] TargetPlan planned() const;
     [[nodiscard]] QString whyOf(const TargetPlan &plan) const;

@@ -199,6 +199,9 @@ private slots:
         QTest::keyClicks(list, typed);
         QCOMPARE(list->toPlainText(), typed);
         auto *first = dialog.findChild<QLineEdit *>("newFirst");
+        QCOMPARE(first->text(), QString("0")); // what is beside a list is said of it
+        QCOMPARE(dialog.findChild<QLineEdit *>("newLast")->text(), QString("11"));
+        QCOMPARE(dialog.findChild<QLineEdit *>("newCount")->text(), QString("3"));
         first->selectAll();
         QTest::keyClicks(first, "123");
         QVERIFY(list->toPlainText() != typed);
