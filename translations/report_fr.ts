@@ -9518,8 +9518,8 @@
         <translation>Rapport n°</translation>
     </message>
     <message>
-        <source>A machine is known by maker and serial number; capitals and additional blanks are the only differences that do not count. Without serial number it is “not identified”, known by name, maker and type. “Join with another…” makes two machines one. With an interval each axis and plane has its day of the next test. Both are kept in palmer-machines.json in the folder of the files. The mark of a certificate counts the days until one expires.</source>
-        <translation>Une machine est reconnue à son constructeur et à son numéro de série&#x202f;; seules les majuscules et les espaces superflus ne comptent pas. Sans numéro de série elle est «&#xa0;non identifiée&#xa0;» et reconnue à son nom, à son constructeur et à son type. «&#xa0;Réunir à une autre…&#xa0;» fait de deux machines une seule. Avec une périodicité, chaque axe et chaque plan a sa date du prochain essai. L’un et l’autre sont conservés dans palmer-machines.json, dans le dossier des fichiers. Le repère d’un certificat compte les jours jusqu’à son échéance.</translation>
+        <source>A machine is known by maker and serial number; capitals and additional blanks are the only differences that do not count. Without serial number it is “not identified”, known by name, maker and type. “Join with another…” makes two machines one, “Separate from another…” takes it back. With an interval each axis and plane has its day of the next test. All is kept in palmer-machines.json in the folder of the files. The mark of a certificate counts the days until one expires.</source>
+        <translation>Une machine est reconnue à son constructeur et à son numéro de série&#x202f;; seules les majuscules et les espaces superflus ne comptent pas. Sans numéro de série elle est «&#xa0;non identifiée&#xa0;» et reconnue à son nom, à son constructeur et à son type. «&#xa0;Réunir à une autre…&#xa0;» fait de deux machines une seule, «&#xa0;Séparer d’une autre…&#xa0;» y revient. Avec une périodicité, chaque axe et chaque plan a sa date du prochain essai. Tout est conservé dans palmer-machines.json, dans le dossier des fichiers. Le repère d’un certificat compte les jours jusqu’à son échéance.</translation>
     </message>
     <message>
         <source>No test of the register fits.</source>
@@ -11013,10 +11013,6 @@
         <translation>type&#xa0;: le type des machines, ou constructeur et type&#x202f;; facultatif lorsque les fichiers sont tous d’un même type</translation>
     </message>
     <message>
-        <source>all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, report, type [FILE…], join MACHINE MACHINE, interval MACHINE MONTHS</source>
-        <translation>tous les essais de toutes les machines dans des dossiers, au fil des ans&#xa0;: scan FOLDER…, list, trend, report, type [FILE…], join MACHINE MACHINE, interval MACHINE MONTHS</translation>
-    </message>
-    <message>
         <source>files and --%1 do not go together</source>
         <translation>des fichiers et --%1 s’excluent</translation>
     </message>
@@ -11184,6 +11180,26 @@
     <message>
         <source>standard output takes one part program, and the zone has its own; write them into files</source>
         <translation>la sortie standard prend un seul programme pièce, et la zone a le sien&#x202f;; les écrire dans des fichiers</translation>
+    </message>
+    <message>
+        <source>another unit than the one shown</source>
+        <translation>autre unité que celle indiquée</translation>
+    </message>
+    <message>
+        <source>joined with %1</source>
+        <translation>réunie à %1</translation>
+    </message>
+    <message>
+        <source>joins them, and is not there now; connect it</source>
+        <translation>ce dossier les réunit et n’est pas accessible maintenant&#x202f;; le connecter</translation>
+    </message>
+    <message>
+        <source>no machine called “%1” was joined with another; “register list” shows which were</source>
+        <translation>aucune machine «&#xa0;%1&#xa0;» n’a été réunie à une autre&#x202f;; «&#xa0;register list&#xa0;» montre lesquelles l’ont été</translation>
+    </message>
+    <message>
+        <source>all tests of all machines in some folders, over the years: scan FOLDER…, list, trend, report, type [FILE…], join MACHINE MACHINE, separate MACHINE, interval MACHINE MONTHS</source>
+        <translation>tous les essais de toutes les machines dans des dossiers, au fil des ans&#xa0;: scan FOLDER…, list, trend, report, type [FILE…], join MACHINE MACHINE, separate MACHINE, interval MACHINE MONTHS</translation>
     </message>
 </context>
 </TS>

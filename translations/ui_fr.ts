@@ -1101,6 +1101,10 @@
         <comment>to compare with</comment>
         <translation>aucun essai</translation>
     </message>
+    <message>
+        <source>not greater than 0</source>
+        <translation>pas supérieur à 0</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ComparisonSide</name>
@@ -1986,10 +1990,6 @@
         <translation>Le document n’a pas été enregistré</translation>
     </message>
     <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>Documents PDF (*.pdf)</translation>
-    </message>
-    <message>
         <source>Search, Enter: next place</source>
         <translation>Rechercher, Entrée&#xa0;: suivant</translation>
     </message>
@@ -2027,10 +2027,6 @@
     <message>
         <source>Save the history</source>
         <translation>Enregistrer l’historique</translation>
-    </message>
-    <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>Documents PDF (*.pdf)</translation>
     </message>
     <message>
         <source>The history was not saved</source>
@@ -2333,10 +2329,6 @@
         <translation>&amp;Tout confirmer</translation>
     </message>
     <message>
-        <source>Takes what is proposed to each assumed question; a doubtful one wants its own answer</source>
-        <translation>Retient ce qui est proposé à chaque question supposée&#x202f;; une question douteuse demande sa propre réponse</translation>
-    </message>
-    <message>
         <source>Reading %1…</source>
         <translation>Lecture de %1…</translation>
     </message>
@@ -2354,6 +2346,10 @@
             <numerusform>%n fichier suit</numerusform>
             <numerusform>%n fichiers suivent</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Takes what is proposed to each assumed question and remark; a doubtful one wants its own answer</source>
+        <translation>Retient ce qui est proposé à chaque question ou remarque supposée&#x202f;; une question douteuse demande sa propre réponse</translation>
     </message>
 </context>
 <context>
@@ -4016,6 +4012,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <source>&amp;Type test…</source>
         <translation>Essai de &amp;type…</translation>
     </message>
+    <message>
+        <source>S&amp;eparate from another…</source>
+        <translation>Sép&amp;arer d’une autre…</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::RegisterPage</name>
@@ -4209,6 +4209,20 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>Choose a folder</source>
         <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>Separate machines</source>
+        <translation>Séparer des machines</translation>
+    </message>
+    <message>
+        <source>%1
+is not the same machine as:</source>
+        <translation>%1
+n’est pas la même machine que&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Separate</source>
+        <translation>&amp;Séparer</translation>
     </message>
 </context>
 <context>
@@ -4551,6 +4565,17 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>Being computed; shown is what was before</source>
         <translation>Calcul en cours&#x202f;; affiché&#xa0;: l’état précédent</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::Saving</name>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documents PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -5170,10 +5195,6 @@ est la même machine que&#xa0;:</translation>
     <message>
         <source>Save the type test</source>
         <translation>Enregistrer l’essai de type</translation>
-    </message>
-    <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>Documents PDF (*.pdf)</translation>
     </message>
     <message>
         <source>The type test was not saved</source>
