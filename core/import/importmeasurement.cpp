@@ -219,7 +219,8 @@ void readInto(Imported &imported, QByteArrayView bytes, const ImportFormat &form
     }
     imported.choices = choices.take();
     joinRemarks(imported.remarks);
-    imported.questions = takeQuestions(imported.remarks, choices.options(), imported.choices);
+    const auto kind = imported.test ? std::optional(kindOf(*imported.test)) : std::nullopt;
+    imported.questions = takeQuestions(imported.remarks, choices.options(), imported.choices, kind);
     std::ranges::stable_sort(imported.remarks, {}, &Remark::grade);
 }
 

@@ -3,6 +3,7 @@
 #include "import/question.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
 
@@ -13,6 +14,35 @@ namespace {
 Asked askedAs(std::string_view choice) {
     const ImportKey *key = findImportKey(choice);
     return key ? key->asked : Asked::never;
+}
+
+/// Words of a choice that fit tests of one kind only.
+struct FittingWords {
+    Kind kind;
+    std::string_view choice;
+    std::string_view words; ///< with a blank around each
+};
+
+constexpr std::array fittingWords{
+    FittingWords{Kind::positioning, "layout", " targetsDown runsDown list "},
+    FittingWords{Kind::circular, "layout", " xy angleRadius angleDeviation deviations "},
+    FittingWords{Kind::drift, "layout", " series "},
+    FittingWords{Kind::circular, "unit", " mm um nm cm m in uin "},
+    FittingWords{Kind::circular, "positionUnit", " deg mdeg arcmin arcsec rad mrad urad gon "},
+};
+
+/// The words of a choice that a test of the kind can have; empty if all fit.
+std::vector<std::string> fittingAnswers(std::string_view choice, std::optional<Kind> kind) {
+    const auto *const row = std::ranges::find_if(
+        fittingWords, [&](const FittingWords &each) { return kind == each.kind && choice == each.choice; });
+    std::vector<std::string> answers;
+    if (row == fittingWords.end())
+        return answers;
+    for (const ImportWord &word : findImportKey(choice)->words) {
+        if (row->words.find(' ' + std::string(word.word) + ' ') != std::string_view::npos)
+            answers.emplace_back(word.word);
+    }
+    return answers;
 }
 
 bool isGuessed(const Remark &remark, std::span<const ImportChoice> choices) {
@@ -74,7 +104,7 @@ std::vector<std::string> answersOf(const Question &question) {
 }
 
 std::vector<Question> takeQuestions(Remarks &remarks, const ImportOptions &options,
-                                    std::span<const ImportChoice> choices) {
+                                    std::span<const ImportChoice> choices, std::optional<Kind> kind) {
     std::vector<Question> questions;
     Remarks kept;
     for (Remark &remark : remarks) {
@@ -89,6 +119,8 @@ std::vector<Question> takeQuestions(Remarks &remarks, const ImportOptions &optio
             continue;
         }
         const bool isDoubtful = remark.grade == RemarkGrade::problem;
+        if (remark.answers.empty())
+            remark.answers = fittingAnswers(remark.choice, kind);
         questions.push_back({remark.choice, isDoubtful ? QuestionGrade::doubtful : QuestionGrade::assumed,
                              remark.message, std::move(proposal), remark.answers, remark.line, remark.column,
                              std::move(remark.further)});

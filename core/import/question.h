@@ -6,6 +6,7 @@
 #include "import/remark.h"
 #include "kernel/measurement/test.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,9 +45,11 @@ struct Question {
 [[nodiscard]] std::vector<std::string> answersOf(const Question &question);
 
 /// Extracts the questions from the remarks: those about a choice that changes numbers and was only guessed,
-/// and those about data that were not read. Repeated ones are merged, with the further lines.
+/// and those about data that were not read. Repeated ones are merged, with the further lines. A question of a
+/// test of a kind offers only the words that fit it.
 [[nodiscard]] std::vector<Question> takeQuestions(Remarks &remarks, const ImportOptions &options,
-                                                  std::span<const ImportChoice> choices);
+                                                  std::span<const ImportChoice> choices,
+                                                  std::optional<Kind> kind = {});
 
 /// Merges remarks of a kind, with the further lines.
 void joinRemarks(Remarks &remarks);

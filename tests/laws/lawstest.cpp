@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "laws/laws.h"
 #include "laws/doors.h"
+#include "laws/importchoices.h"
 
 #include <QApplication>
 #include <QTest>
@@ -16,6 +17,7 @@ private slots:
     void everyLawHolds();
     void noDefaultClaimsAFact();
     void everyDoorSaysTheSame();
+    void everyAnswerIsTaken();
 };
 
 void LawsTest::everyLawHolds() {
@@ -48,6 +50,18 @@ void LawsTest::everyDoorSaysTheSame() {
     });
     QVERIFY2(violations.isEmpty(), qPrintable(violations.join(u"\n=====\n")));
     QVERIFY(all.tables == 6 * tables && all.equal > 12 * tables && all.asked + all.refused < tables);
+}
+
+void LawsTest::everyAnswerIsTaken() {
+    constexpr int rounds = 4; // files of each kind
+    QStringList violations;
+    const ChoiceCounts all = followChoices(rounds, 1, [&](const std::string &law, const std::string &what) {
+        violations << QString::fromStdString(law + ": " + what);
+    });
+    QVERIFY2(violations.isEmpty(), qPrintable(violations.join(u"\n=====\n")));
+    for (const std::string &key : all.missing())
+        QFAIL(("in no file: " + key).c_str());
+    QVERIFY(all.refused * 4 < all.files && all.answers > 10 * rounds);
 }
 
 QTEST_MAIN(LawsTest)

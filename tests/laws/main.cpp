@@ -4,6 +4,7 @@
 // and prints what does not hold, each kind of violation once with the seed of its file, and the counts; with
 // FOLDER it writes the files there instead, SEED.palmer each.
 #include "laws/doors.h"
+#include "laws/importchoices.h"
 #include "laws/laws.h"
 
 #include "document/savedocument.h"
@@ -33,6 +34,25 @@ int followDoorsOnly(int tables, std::uint64_t seed) {
     return differ > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
+/// "palmer-laws choices 20 1": files of each kind, seed.
+int followChoicesOnly(int rounds, std::uint64_t seed) {
+    std::map<std::string, int> laws;
+    const ChoiceCounts all =
+        followChoices(rounds, seed, [&](const std::string &law, const std::string &what) {
+            if (laws[law]++ == 0)
+                std::printf("%s: %s\n=====\n", law.c_str(), what.c_str());
+        });
+    std::printf("files %d, refused %d, answers %d, failures %d\n", all.files, all.refused, all.answers,
+                all.failures);
+    for (const auto &[law, count] : laws)
+        std::printf("%s: %d failures\n", law.c_str(), count);
+    for (const auto &[key, count] : all.asked)
+        std::printf("%s: asked %d times\n", key.c_str(), count);
+    for (const std::string &key : all.missing())
+        std::printf("%s: in no file\n", key.c_str());
+    return all.failures > 0 || !all.missing().empty() ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -41,6 +61,9 @@ int main(int argc, char **argv) {
     if (argc > 1 && std::strcmp(argv[1], "doors") == 0)
         return followDoorsOnly(argc > 2 ? std::atoi(argv[2]) : 500,
                                argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
+    if (argc > 1 && std::strcmp(argv[1], "choices") == 0)
+        return followChoicesOnly(argc > 2 ? std::atoi(argv[2]) : 20,
+                                 argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
     const int files = argc > 1 ? std::atoi(argv[1]) : 1000;
     const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
     if (argc > 3) {

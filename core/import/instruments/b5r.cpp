@@ -376,7 +376,8 @@ private:
         const auto unit = m_choices.resolve("unit", isMicro ? "um" : isMetre ? "m" : "mm", origin);
         m_unit = unitOf(unit.value);
         if (m_unit->kind != UnitKind::length)
-            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a circular test"), "unit", unit.value);
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a circular test"), nameOfChoice("unit"),
+                          nameOfWord("unit", unit.value));
         const auto sign = m_choices.resolve("sign", "actualMinusTarget", Origin::guessed);
         m_inverted = sign.value == "targetMinusActual";
         if (content.origin == Origin::guessed || unit.origin == Origin::guessed)

@@ -326,7 +326,7 @@ private:
         requireRotation(angular, ofRotaryAxis);
         if (rotary && containsWord(type, "lin") && !m_choices.isChosen("unit"))
             refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
-                          "motion", "rotary", "µm");
+                          nameOfChoice("motion"), nameOfWord("motion", "rotary"), "µm");
         askForType();
         PassForm form;
         m_choices.resolve("content", "deviations", Origin::recognised);
@@ -339,8 +339,8 @@ private:
             resolveFixedUnit("unit", m_notes.unit, *unitOf(rotary ? "mrad" : "um"), m_choices, m.remarks);
         if (form.unit->kind != form.positionUnit->kind ||
             form.unit->kind != (rotary ? UnitKind::angle : UnitKind::length))
-            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"), "unit",
-                          std::string(form.unit->word));
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
+                          nameOfChoice("unit"), nameOfWord("unit", form.unit->word));
         form.sign =
             resolveSaidSign(m_notes.sign, "actualMinusTarget", Origin::recognised, m_choices, m.remarks);
         m.remarks.note(
@@ -364,10 +364,13 @@ private:
                                       "this is an angular measurement of a linear axis (pitch, yaw), no "
                                       "positioning test; measure the axis with linear optics"));
         if (angular && !ofRotaryAxis && motion.empty() && axis.find_first_of("ABCabc") != 0)
-            m.remarks.assumption(
-                "motion", REPORT_TEXT("report", "Motion: the file holds angles and "
-                                                "does not say of which axis; read as those of a rotary axis. "
-                                                "Pitch and yaw of a linear axis are no positioning test."));
+            m.remarks
+                .assumption("motion",
+                            REPORT_TEXT("report",
+                                        "Motion: the file holds angles and "
+                                        "does not say of which axis; read as those of a rotary axis. "
+                                        "Pitch and yaw of a linear axis are no positioning test."))
+                .answers = {"rotary"};
     }
 
     /// True if the text names a rotation that is no positioning deviation.

@@ -143,7 +143,8 @@ private:
         for (const auto &[key, said] : stated) {
             if (said->unit && said->unit->kind != kind && !m_choices.isChosen(key))
                 refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
-                              "motion", std::string(m_choices.chosen("motion")), said->words());
+                              nameOfChoice("motion"), nameOfWord("motion", m_choices.chosen("motion")),
+                              said->words());
         }
     }
 

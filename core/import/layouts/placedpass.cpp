@@ -148,8 +148,19 @@ std::optional<std::uint32_t> unusedDirections(const TableReading &reading) {
     return {};
 }
 
+/// The words that answer where the file states no directions.
+std::vector<std::string> unstatedDirections() {
+    std::vector<std::string> answers;
+    for (const ImportWord &word : findImportKey("directions")->words) {
+        if (word.word != std::string_view("stated") && word.word != std::string_view("reversed"))
+            answers.emplace_back(word.word);
+    }
+    return answers;
+}
+
 void askForDirections(std::string_view word, const FoundPasses &found, TableReading &reading) {
     const bool stated = word == "stated";
+    const std::size_t first = reading.remarks.size();
     const std::string straying = stated ? std::string() : targetHeadingWithDirection(reading);
     const auto unused = stated ? std::nullopt : unusedDirections(reading);
     const auto renamed = stated ? renamedDirection(reading) : std::nullopt;
@@ -183,6 +194,8 @@ void askForDirections(std::string_view word, const FoundPasses &found, TableRead
         reading.remarks.add(isPlain(word, found.passes) && !found.hasSenses ? RemarkGrade::assumption
                                                                             : RemarkGrade::problem,
                             "directions", questionFor(word, found, reading.body));
+    for (std::size_t i = first; i < reading.remarks.size() && !stated; ++i)
+        reading.remarks[i].answers = unstatedDirections();
 }
 
 } // namespace

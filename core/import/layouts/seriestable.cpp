@@ -146,7 +146,15 @@ private:
                 continue;
             m_names = c;
             const std::string chosen(m.choices.chosen("series"));
-            m_series = std::ranges::find(names, chosen) != names.end() ? chosen : names.front();
+            const bool isOne = std::ranges::find(names, chosen) != names.end();
+            if (!chosen.empty() && !isOne) {
+                std::string list;
+                for (const std::string &name : names)
+                    list += (list.empty() ? "" : ", ") + name;
+                refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), nameOfChoice("series"),
+                              chosen, excerpt(list));
+            }
+            m_series = isOne ? chosen : names.front();
             m.choices.resolve("series", m_series, names.size() > 1 ? Origin::guessed : Origin::recognised);
             if (names.size() < 2)
                 return;

@@ -139,14 +139,17 @@ QByteArray stylesOf(const QStringList &formats) {
 
 } // namespace
 
-QByteArray storedOds(const std::vector<QStringList> &rows, const std::vector<QStringList> &cover) {
+QByteArray storedOds(const std::vector<QStringList> &rows, const std::vector<QStringList> &cover,
+                     int hidden) {
     QString content =
         R"(<office:document-content xmlns:office="o" xmlns:table="t" xmlns:text="x"><office:body>)"
         R"(<office:spreadsheet>)";
     for (const auto &[name, sheet] : {std::pair("S", &rows), std::pair("Cover", &cover)}) {
         content += QString(R"(<table:table table:name="%1">)").arg(name);
+        int index = sheet == &rows ? 0 : -1 - static_cast<int>(sheet->size());
         for (const QStringList &row : *sheet) {
-            content += "<table:table-row>";
+            content +=
+                index++ == hidden ? R"(<table:table-row table:visibility="collapse">)" : "<table:table-row>";
             for (const QString &cell : row) {
                 const bool isNumber = cell.contains('|');
                 content += isNumber

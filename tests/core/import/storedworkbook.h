@@ -22,8 +22,8 @@ struct MergedCells {
                                         const std::vector<MergedCells> &merged = {},
                                         const QStringList &formats = {});
 /// An .ods of one sheet, and one named Cover: "3.5|3.50 in" is the number 3.5, which is displayed so; other
-/// cells are texts.
+/// cells are texts. `hidden`: a row of the first, from 0.
 [[nodiscard]] QByteArray storedOds(const std::vector<QStringList> &rows,
-                                   const std::vector<QStringList> &cover = {});
+                                   const std::vector<QStringList> &cover = {}, int hidden = -1);
 
 } // namespace palmer::testdata
