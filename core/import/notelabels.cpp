@@ -33,13 +33,15 @@ constexpr std::array labelRows{
     LabelRow{NoteFact::machine,
              "machine,maschine,macchina,maquina,werkzeugmaschine,maschinenname,maschinenbezeichnung",
              " name nom nome nombre bezeichnung tool outil utensile herramienta of la de der della under "
-             "test "},
+             "test tested essayee testee verifiee controlee mesuree in prova collaudata misurata ensayada "
+             "gepruft gepruefte geprufte "},
     LabelRow{
         NoteFact::serialNumber,
         "serial,serial no,serial number,serial nr,serial num,sn,seriennummer,seriennr,serien nr,serien "
         "nummer,"
         "matricola,n de serie,no de serie,nº de serie,numero de serie,numero di serie,num de serie,n serie,"
-        "n di serie,maschinen seriennummer,maschinenseriennummer",
+        "n di serie,maschinen seriennummer,maschinenseriennummer,ser nr,ser no,maschinennummer,maschinennr,"
+        "maschinen nr,maschinen nummer,masch nr",
         " the of machine maschine macchina maquina la der della "},
     LabelRow{
         NoteFact::operatorName,
@@ -47,10 +49,12 @@ constexpr std::array labelRows{
         "inspector,inspecteur,technician,technicien,by,par,measured by,tested by,performed by,mesure par,"
         "essai par,realise par,effectue par,gemessen von,gepruft von,geprueft von,durchgefuhrt von,misurato "
         "da,"
-        "eseguito da,medido por,realizado por",
+        "eseguito da,medido por,realizado por,collaudatore,tecnico,bearbeiter,ausgefuhrt von,verifie par,"
+        "controle par,verificato da,collaudato da",
         " name nom nome nombre the of de l "},
     LabelRow{NoteFact::axis, "axis,axe,achse,asse,eje,messachse,prufachse,pruefachse",
-             " name nom nome nombre measured tested test mesure essai essaye under the of de "},
+             " name nom nome nombre measured tested test mesure essai essaye under the of de mesuree essayee "
+             "misurato in prova medido ensayado gemessene geprufte gepruefte "},
     LabelRow{NoteFact::plane, "plane,plan,ebene,piano,plano,messebene",
              " test measurement mesure essai the of de "},
     LabelRow{NoteFact::date,
@@ -60,22 +64,27 @@ constexpr std::array labelRows{
     LabelRow{NoteFact::day,
              "measured,tested,gemessen,gepruft,geprueft,mesure,misurato,medido,started,start,begin,debut",
              dayOthers},
-    LabelRow{NoteFact::time, "time,heure,uhrzeit,zeit,ora,hora,start",
+    LabelRow{NoteFact::time, "time,heure,uhrzeit,zeit,ora,hora,start,beginn,startzeit,inizio,ora inizio",
              " of the test start de d l essai mesure measurement der messung prufung debut "},
-    LabelRow{NoteFact::feed,
-             "f,feed,feedrate,feed rate,avance,vitesse d avance,vorschub,vorschubgeschwindigkeit,avanzamento,"
-             "velocidad de avance",
-             " programmed programmee axis "},
+    LabelRow{
+        NoteFact::feed,
+        "f,feed,feedrate,feed rate,avance,vitesse d avance,vorschub,vorschubgeschwindigkeit,avanzamento,"
+        "velocidad de avance,speed,traverse speed,traverse rate,feed speed,vitesse,vitesse de deplacement,"
+        "verfahrgeschwindigkeit,velocita,velocita di avanzamento,velocita avanzamento",
+        " programmed programmee axis "},
     LabelRow{
         NoteFact::airPressure,
         "pressure,air pressure,air press,atmospheric pressure,barometric pressure,pression,pression de air,"
-        "pression atmospherique,luftdruck,pressione,presion,pressure of air",
-        " the l d "},
+        "pression atmospherique,pression air,pression barometrique,luftdruck,umgebungsdruck,pressione,"
+        "pressione atmosferica,pressione aria,pressione barometrica,presion,presion atmosferica,ambient "
+        "pressure,pressure of air",
+        " the l d de dell "},
     LabelRow{
         NoteFact::airHumidity,
         "humidity,air humidity,air humid,relative humidity,rh,humidite,humidite relative,humidite de air,"
         "luftfeuchte,luftfeuchtigkeit,relative luftfeuchte,relative luftfeuchtigkeit,rel luftfeuchte,feuchte,"
-        "umidita,umidita relativa,humedad,humedad relativa",
+        "umidita,umidita relativa,humedad,humedad relativa,rel humidity,rel feuchte,relative feuchte,"
+        "hygrometrie,umidita aria",
         " the l d of "},
     LabelRow{NoteFact::correctionTo20,
              "corrected to 20,correction to 20,compensated to 20,normalised to 20,normalized to "
@@ -331,9 +340,9 @@ bool namesOtherDay(std::string_view text) {
 }
 
 SensorMeasures measuredBy(std::string_view name) {
-    constexpr std::array<std::string_view, 13> air{"air",     "ambi",  "luft", "aria",     "aire",
-                                                   "room",    "hall",  "raum", "umgebung", "salle",
-                                                   "atelier", "local", "sala"};
+    constexpr std::array<std::string_view, 16> air{
+        "air",      "ambi",  "luft",    "aria",  "aire", "room",    "hall",      "raum",
+        "umgebung", "salle", "atelier", "local", "sala", "environ", "werkstatt", "workshop"};
     constexpr std::array<std::string_view, 6> instrument{"instrument", "ballbar", "scale",
                                                          "laser",      "etalon",  "strument"};
     const std::string low = folded(name);

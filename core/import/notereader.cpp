@@ -4,11 +4,14 @@
 
 #include "import/layouts/sections.h"
 #include "import/notelabels.h"
+#include "kernel/words/characters.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <span>
@@ -55,7 +58,11 @@ std::string joined(std::span<const std::string> values) {
 /// A value with one of `units` behind it or in its label.
 std::optional<double> valueIn(const LabelledValue &said, const char *units) {
     const QString value = QString::fromStdString(joined(said.values));
-    const auto match = pattern(R"(^(\d+(?:[.,]\d+)?)\s*)").match(value);
+    // "1,000" may be one or a thousand.
+    const auto match =
+        pattern(
+            R"(^(\d{1,3}(?:[ \x{A0}\x{202F}]\d{3})+(?![\d.,])|(?![1-9]\d{0,2}[.,]\d{3}(?!\d))\d+(?:[.,]\d+)?)\s*)")
+            .match(value);
     const QString rest = value.mid(match.capturedLength());
     const auto unit = pattern(units).match(rest);
     const bool isUnit = unit.hasMatch() && unit.capturedLength() == rest.size();
@@ -143,7 +150,7 @@ private:
         case NoteFact::feed:
             return takeFeed(said);
         case NoteFact::airPressure:
-            return takeNumber(m.airPressure, valueIn(said, R"(hPa|mbar)"));
+            return takePressure(said);
         case NoteFact::airHumidity:
             return takeNumber(m.airHumidity, valueIn(said, R"(%(?:\s*r\.?\s*[FH]\.?)?)"));
         case NoteFact::temperature:
@@ -189,18 +196,39 @@ private:
         return takeLetters(m.plane, R"(^([XYZ]{2})\b)", said);
     }
 
-    bool takeFeed(const LabelledValue &said) {
-        struct Row {
-            const char *unit;
-            double factor; ///< to mm/min
-        };
-        for (const auto &[unit, factor] :
-             {Row{R"(\bmm\s*/\s*min)", 1}, Row{R"(\bm\s*/\s*min)", 1000}, Row{R"(\bmm\s*/\s*s(?:ec)?)", 60},
-              Row{R"(\bin(?:ch)?\s*/\s*min|\bipm)", 25.4}}) {
+    struct UnitRow {
+        const char *unit;
+        double factor; ///< to the base unit
+    };
+
+    [[nodiscard]] static std::optional<double> inBaseUnit(const LabelledValue &said,
+                                                          std::initializer_list<UnitRow> units) {
+        for (const auto &[unit, factor] : units) {
             if (const auto value = valueIn(said, unit))
-                return takeNumber(m.feed, *value * factor);
+                return *value * factor;
         }
-        return false;
+        return {};
+    }
+
+    bool takeFeed(LabelledValue said) {
+        std::string &value = said.values.front(); // "F1000 mm/min"
+        if (value.size() > 1 && value[0] == 'F' && isDigit(value[1]))
+            value.erase(0, 1);
+        return takeNumber(m.feed, inBaseUnit(said, {{R"(\bmm\s*/\s*min)", 1},
+                                                    {R"(\bm\s*/\s*min)", 1000},
+                                                    {R"(\bmm\s*/\s*s(?:ec)?)", 60},
+                                                    {R"(\bin(?:ch)?\s*/\s*min|\bipm)", 25.4}}));
+    }
+
+    /// The air around: that of a supply is higher.
+    bool takePressure(const LabelledValue &said) {
+        constexpr double lowest = 500; // hPa
+        constexpr double highest = 1100;
+        constexpr double ofMercury = 1.33322; // mm
+        auto value = inBaseUnit(said, {{R"(hPa|mbar)", 1}, {R"(kPa)", 10}, {R"(mm\s?Hg|torr)", ofMercury}});
+        if (value)
+            value = std::round(*value * 10) / 10;
+        return value >= lowest && value <= highest && takeNumber(m.airPressure, value);
     }
 
     static bool takeAnswer(std::optional<bool> &field, const LabelledValue &said) {
@@ -226,7 +254,8 @@ private:
     bool takeDay(const LabelledValue &said) {
         const std::string text = joined(said.values);
         const auto time = timeOfDay(text);
-        const auto date = isoDate(text);
+        const auto day = isoDate(text);
+        const auto date = day ? day : compactDate(text);
         if (date && m_isDateLabelled && m.date != date)
             return false;
         if (time && !m.time)

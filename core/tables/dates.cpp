@@ -51,7 +51,7 @@ std::optional<std::string> validDate(int year, int month, int day) {
 
 const QRegularExpression &numericDate() {
     static const QRegularExpression pattern(QStringLiteral(
-        R"((?<![\d.])(?:(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})|(\d{1,2})([-/.])(\d{1,2})\5(\d{4}))(?![\d.]))"));
+        R"((?<![\d.])(?:(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})|(\d{1,2})(\.\s?|[-/])(\d{1,2})\5(\d{4}))(?![\d.]))"));
     return pattern;
 }
 
@@ -65,13 +65,13 @@ std::optional<std::string> isoDate(std::string_view text) {
         const int first = match.captured(4).toInt();
         const int second = match.captured(6).toInt();
         const int year = match.captured(7).toInt();
-        if (match.captured(5) == QLatin1StringView(".") || first > 12 || first == second)
+        if (match.captured(5).startsWith(QLatin1Char('.')) || first > 12 || first == second)
             return validDate(year, second, first);
         return second > 12 ? validDate(year, first, second) : std::nullopt;
     }
     static const QRegularExpression named(
         QStringLiteral(
-            R"((?<!\d)(\d{1,2})(?:st|nd|rd|th|er)?[.]?[\s-]+(?:de\s+)?(\p{L}{3,})[.,]?[\s-]+(?:de\s+)?(\d{4})(?!\d))"
+            R"((?<!\d)(\d{1,2})(?:st|nd|rd|th|er)?[.]?[\s-]+(?:(?:de|of)\s+)?(\p{L}{3,})[.,]?[\s-]+(?:de\s+)?(\d{4})(?!\d))"
             R"(|(?<!\p{L})(\p{L}{3,})\.?\s+(\d{1,2})(?:st|nd|rd|th)?)"
             R"((?:\s+\d{1,2}:\d{2}(?::\d{2})?(?:\s+\p{L}{2,5})?)?,?\s+(\d{4})(?!\d))"), // 13 March, March 13
                                                                                         // 13
@@ -98,11 +98,32 @@ bool hasTwoReadings(std::string_view date) {
                                 (validDate(year, first, second) && validDate(year, second, first)));
 }
 
+std::optional<std::string> compactDate(std::string_view text) {
+    static const QRegularExpression pattern(
+        QStringLiteral(R"(^\s*((?:19|20)\d{2})(\d{2})(\d{2})(?:\s.*)?$)"));
+    const auto match = pattern.match(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())));
+    const auto part = [&](int group) { return match.captured(group).toInt(); };
+    // "20122012" could be the 20th of December, too.
+    const bool isEither = validDate(part(2) * 100 + part(3), part(1) % 100, part(1) / 100) &&
+                          part(2) * 100 + part(3) >= 1900 && part(2) * 100 + part(3) < 2100;
+    return match.hasMatch() && !isEither ? validDate(part(1), part(2), part(3)) : std::nullopt;
+}
+
 std::optional<std::string> timeOfDay(std::string_view text) {
     static const QRegularExpression pattern(
         QStringLiteral(R"((?<![\d:])(\d{1,2}):(\d{2})(?::\d{2}(?:[.,]\d+)?)?(?![\d:])\s*([ap])?\.?(?:m\b)?)"),
         QRegularExpression::CaseInsensitiveOption);
-    const auto match = pattern.match(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())));
+    // "14h30", "14.30 Uhr"
+    static const QRegularExpression named(
+        QStringLiteral(R"((?<![\d:.,])(\d{1,2})(?:\s?h\s?(\d{2})(?!\d)|\.(\d{2})\s?Uhr\b))"),
+        QRegularExpression::CaseInsensitiveOption);
+    const QString line = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    const auto match = pattern.match(line);
+    if (const auto other = named.match(line); !match.hasMatch() && other.hasMatch()) {
+        const QTime time(other.captured(1).toInt(), (other.captured(2) + other.captured(3)).toInt());
+        return time.isValid() ? std::optional(time.toString(QStringLiteral("HH:mm")).toStdString())
+                              : std::nullopt;
+    }
     if (!match.hasMatch())
         return {};
     const QString half = match.captured(3).toLower();

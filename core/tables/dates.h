@@ -12,10 +12,13 @@ namespace palmer {
 /// a day above 12. Null for "03/04/2024" and anything that is not a date.
 [[nodiscard]] std::optional<std::string> isoDate(std::string_view text);
 
+/// "20240305", alone or before a time, where no other order of its digits is a date; null for anything else.
+[[nodiscard]] std::optional<std::string> compactDate(std::string_view text);
+
 /// True for "03/04/2024" and "03/04/24": day and month may be in either order.
 [[nodiscard]] bool hasTwoReadings(std::string_view date);
 
-/// The first time of day in a text, HH:MM: "14:30", "2026-02-13 14:30:05", "2:30 pm".
+/// The first time of day in a text, HH:MM: "14:30", "2026-02-13 14:30:05", "2:30 pm", "14h30".
 [[nodiscard]] std::optional<std::string> timeOfDay(std::string_view text);
 
 /// True if a cell is exactly a date: "2024-03-05", "05.03.2024", "3/5/2024".
