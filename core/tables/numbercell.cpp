@@ -295,6 +295,13 @@ CellValue readCell(std::string_view cell, DecimalMark mark) {
         return {CellKind::number, number.value};
     if (std::ranges::any_of(missingWords, [&](std::string_view word) { return sameWord(cell, word); }))
         return {CellKind::missing};
+    if (cell.starts_with('-') && cell.find_first_not_of("-.") == std::string_view::npos) // "--.-"
+        return {CellKind::missing};
+    // "#DIV/0!" of a spreadsheet; "****", "####" where a number is wider than its column.
+    if ((cell.size() > 2 && cell.front() == '#' && (cell.back() == '!' || cell.back() == '?')) ||
+        (cell.size() > 1 && cell.find_first_not_of(cell.front()) == std::string_view::npos &&
+         (cell.front() == '*' || cell.front() == '#')))
+        return {CellKind::broken};
     for (const std::string_view word :
          {"nan", "-nan", "inf", "-inf", "+inf", "infinity", "-infinity", "\u221E", "-\u221E"}) {
         if (sameWord(cell, word))

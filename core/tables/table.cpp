@@ -293,11 +293,16 @@ bool isTorn(std::string_view number) {
     return number.size() > 1 && number[0] == '0' && number[1] >= '0' && number[1] <= '9';
 }
 
-// Several numbers in one cell, with or without units: the delimiter is another one.
+// Several numbers in one cell, with or without units, or with words between them: the delimiter is another
+// one.
 bool isUncut(std::string_view text) {
-    return text.find_first_of("0123456789") != std::string_view::npos &&
-           text.find_first_of(";|,\t") != std::string_view::npos &&
-           text.find_first_not_of("0123456789.,;|\t+-eE mnuµ°′″'\"") == std::string_view::npos;
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    const bool isSplitLine = text.find_first_of(";|\t") != std::string_view::npos && isDigit(text.front()) &&
+                             isDigit(text.back()); // "000;forward;1;3"
+    return isSplitLine ||
+           (text.find_first_of("0123456789") != std::string_view::npos &&
+            text.find_first_of(";|,\t") != std::string_view::npos &&
+            text.find_first_not_of("0123456789.,;|\t+-eE mnuµ°′″'\"") == std::string_view::npos);
 }
 
 /// A row of a sample with at least one number.
@@ -579,7 +584,8 @@ void CellTable::joinWords() {
         const std::size_t begin = row.count > 0 ? m_cells[row.first].begin : 0;
         return begin > 1 && m_text[begin - 1] == ' ' && m_text[begin - 2] == ' ';
     };
-    const TableRow *usual = usualRow();
+    const TableRow *labelled = joinLabels();
+    const TableRow *usual = labelled ? labelled : usualRow();
     if (!usual)
         return;
     const TableRow numbers = *usual;
@@ -598,6 +604,82 @@ void CellTable::joinWords() {
             joined = joined.size() < width ? placedOver(joined, numbers) : std::vector<TableCell>();
         setCells(row, joined);
     }
+}
+
+namespace {
+
+/// "Run 2 forward": a label that counts lines at most, with no number of its own.
+bool isLabel(const CellTable &table, std::span<const TableCell> parts, std::size_t lines) {
+    bool hasWord = false;
+    for (const TableCell &part : parts) {
+        const bool isCount = part.isNumber() && part.value >= 1 && part.value <= static_cast<double>(lines) &&
+                             table.text(part).find_first_not_of("0123456789") == std::string_view::npos;
+        if (part.isNumber() && !isCount)
+            return false;
+        hasWord |= part.kind == CellKind::text;
+    }
+    return hasWord;
+}
+
+} // namespace
+
+/// "direction + 1    0.1    0.2" among lines of numbers: where wider gaps part the columns of most of them,
+/// single blanks part the words of a cell. Returns one of these rows; null: there are none.
+const TableRow *CellTable::joinLabels() {
+    constexpr std::size_t fewest = 2; // numbers of a line
+    struct Line {
+        std::size_t row;
+        std::vector<TableCell> joined;
+    };
+    std::map<std::size_t, std::vector<Line>> lines; // by width
+    std::map<std::size_t, std::size_t> numbers;
+    std::size_t all = 0;
+    std::size_t allNumbers = 0;
+    const auto count = [](std::span<const TableCell> cells) {
+        return static_cast<std::size_t>(std::ranges::count_if(cells, &TableCell::isNumber));
+    };
+    for (std::size_t i = 0; i < std::min(m_rows.size(), sampleRows); ++i) {
+        const std::size_t own = m_rows[i].comment ? 0 : count(cells(m_rows[i]));
+        if (own < fewest)
+            continue;
+        std::vector<TableCell> joined = joinedWords(m_rows[i], false);
+        ++all;
+        allNumbers += own;
+        numbers[joined.size()] += own;
+        lines[joined.size()].push_back({i, std::move(joined)});
+    }
+    const auto usual =
+        std::ranges::max_element(lines, {}, [&](const auto &each) { return numbers[each.first]; });
+    if (usual == lines.end() || 5 * numbers[usual->first] < 4 * allNumbers)
+        return nullptr;
+    bool isAnyJoined = false;
+    for (const Line &line : usual->second) {
+        const TableRow &row = m_rows[line.row];
+        isAnyJoined |= line.joined.size() != row.count;
+        if (count(line.joined) < fewest)
+            return nullptr;
+        for (const TableCell &cell : line.joined) {
+            std::vector<TableCell> parts;
+            for (const TableCell &part : cells(row)) {
+                if (part.begin >= cell.begin && part.begin < cell.begin + cell.size)
+                    parts.push_back(part);
+            }
+            if (parts.size() > 1 && !isLabel(*this, parts, all))
+                return nullptr;
+        }
+    }
+    if (!isAnyJoined)
+        return nullptr;
+    const std::size_t width = usual->first;
+    const TableRow *found = nullptr;
+    for (TableRow &row : m_rows) {
+        const bool isOfNumbers = !row.comment && count(cells(row)) >= fewest;
+        std::vector<TableCell> joined = row.comment ? std::vector<TableCell>() : joinedWords(row, false);
+        if (joined.size() == width && joined.size() != row.count)
+            setCells(row, joined);
+        found = !found && isOfNumbers && row.count == width ? &row : found;
+    }
+    return found;
 }
 
 /// The first row with as many cells as most rows that begin with a number; null: no row begins with one.
@@ -658,14 +740,20 @@ std::vector<TableCell> CellTable::joinedWords(const TableRow &row, bool brackets
 /// number. Empty if two belong to one.
 std::vector<TableCell> CellTable::placedOver(const std::vector<TableCell> &words,
                                              const TableRow &numbers) const {
-    const auto placeOf = [this](const TableCell &cell) { return static_cast<std::ptrdiff_t>(column(cell)); };
+    // Columns are flush left or flush right.
+    const auto apart = [this](const TableCell &a, const TableCell &b) {
+        const auto placeOf = [this](std::uint32_t at) {
+            return static_cast<std::ptrdiff_t>(column({0, at}));
+        };
+        return std::min(std::abs(placeOf(a.begin) - placeOf(b.begin)),
+                        std::abs(placeOf(a.begin + a.size) - placeOf(b.begin + b.size)));
+    };
     std::vector<TableCell> placed(numbers.count, TableCell{0, 0, 0, CellKind::empty});
     for (const TableCell &word : words) {
-        const auto at = placeOf(word);
         std::size_t nearest = 0;
         for (std::size_t c = 1; c < numbers.count; ++c) {
             const auto distance = [&](std::size_t column) {
-                return std::abs(placeOf(m_cells[numbers.first + column]) - at);
+                return apart(m_cells[numbers.first + column], word);
             };
             nearest = distance(c) < distance(nearest) ? c : nearest;
         }
@@ -683,6 +771,30 @@ void CellTable::keepLines(std::size_t first, std::size_t last) {
 void CellTable::setAside(std::span<const std::size_t> rows) {
     for (const std::size_t row : rows)
         m_rows[row].comment = m_rows[row].aside = true;
+}
+
+void CellTable::moveBeside(std::size_t first, std::size_t end) {
+    std::vector<TableRow> rows;
+    rows.reserve(m_rows.size());
+    for (TableRow row : m_rows) {
+        TableRow beside{static_cast<std::uint32_t>(m_cells.size()), 0, row.line, true, true, true};
+        for (std::size_t c = first; c < std::min<std::size_t>(end, row.comment ? 0 : row.count); ++c) {
+            TableCell &cell = m_cells[row.first + c];
+            const TableCell moved = std::exchange(cell, {0, cell.begin, 0, CellKind::empty});
+            if (moved.kind != CellKind::empty)
+                m_cells.push_back(moved); // may move the cells: `cell` is not used behind it
+        }
+        beside.count = static_cast<std::uint32_t>(m_cells.size()) - beside.first;
+        if (!row.comment && row.count > first && row.count <= end)
+            row.count = static_cast<std::uint32_t>(first);
+        const bool isEmpty = std::ranges::all_of(
+            cells(row), [](const TableCell &cell) { return cell.kind == CellKind::empty; });
+        if (!isEmpty)
+            rows.push_back(row);
+        if (beside.count > 0)
+            rows.push_back(beside);
+    }
+    m_rows = std::move(rows);
 }
 
 std::size_t CellTable::column(const TableCell &cell) const {

@@ -37,6 +37,7 @@ struct TableRow {
     std::uint32_t line = 1; ///< in the text, from 1
     bool comment = false;   ///< begins with # % or // (one cell, the line without the mark), or was set aside
     bool aside = false;     ///< a comment because of its content
+    bool beside = false;    ///< one from the cells beside a table, which parts nothing
 };
 
 struct TableOptions {
@@ -89,6 +90,9 @@ public:
     /// Marks rows, by index, as comments.
     void setAside(std::span<const std::size_t> rows);
 
+    /// Makes comments of the cells in columns `first` to `end`, each below the line that they stand in.
+    void moveBeside(std::size_t first, std::size_t end);
+
     Choice<Delimiter> delimiter;
     Choice<DecimalMark> decimalMark;
     bool isFormDoubtful = false; ///< of the guessed ones: other numbers are as likely
@@ -96,6 +100,7 @@ public:
 
 private:
     void joinWords();
+    const TableRow *joinLabels();
     void placeHeads();
     void setCells(TableRow &row, const std::vector<TableCell> &cells);
     [[nodiscard]] const TableRow *usualRow() const;
