@@ -8780,6 +8780,10 @@
         <translation>«&#xa0;%1&#xa0;» termine le tableau au milieu d’un nombre&#xa0;: le fichier semble tronqué.</translation>
     </message>
     <message>
+        <source>“%1” ends the table within a line: the file seems to be cut short.</source>
+        <translation>«&#xa0;%1&#xa0;» termine le tableau au milieu d’une ligne&#xa0;: le fichier semble tronqué.</translation>
+    </message>
+    <message>
         <source>Line %1 says “%2”: are the readings right as they stand?</source>
         <translation>La ligne %1 dit «&#xa0;%2&#xa0;»&#xa0;: les relevés sont-ils justes tels quels&#x202f;?</translation>
     </message>

@@ -121,7 +121,7 @@ bool readWords(const LabelledValue &said, FileNotes &notes) {
         understood |= !notes.centre.empty();
     }
     if (const auto feed = positiveNumber(captured(
-            R"((?:\bF|\bfeed|\bavance|\bfeed ?rate|\bvorschub|\bavanzamento)\s*[:=;]?\s*(\d+(?:[.,]\d+)?)\s*mm/min)",
+            R"((?:\bF|\bfeed|\bavance|\bfeed ?rate|\bvorschub|\bavanzamento)\s*[:=;]?\s*((?![1-9]\d{0,2}[.,]\d{3}(?!\d))\d+(?:[.,]\d+)?)\s*mm/min)",
             line));
         feed && !notes.feed) {
         notes.feed = feed;
@@ -153,6 +153,8 @@ std::string textOf(std::span<const LabelledValue> line) {
 
 /// "Forward", "ccw", "As found" above a block; a sentence with such a word is none.
 bool isTitle(std::string_view text) {
+    if (text.starts_with("- ") || text.starts_with("* ")) // of a list, no direction
+        text.remove_prefix(2);
     const HeadingWords words = readTitle(text);
     return words.isTitle() && (words.namesSense || words.direction || words.state != TestRole::notStated);
 }
@@ -209,7 +211,7 @@ namespace {
 /// The facts that a line above or between tables states, by the block of numbers below it.
 struct NoteLine {
     const TableRow *row = nullptr;
-    std::size_t block = 0; ///< index of the block that follows it
+    std::size_t block = 0; ///< index of the block that it is above or beside
     std::vector<LabelledValue> said;
     std::string axis; ///< that it names
 };
@@ -235,8 +237,8 @@ std::vector<NoteLine> noteLines(const CellTable &table, const TableBody &body) {
         const bool isNext = !lines.empty() && lines.back().row + 1 == &row;
         if (isNext && joinBelow(lines.back().said, textsIn(table, row)))
             continue;
-        const auto isAfter = [&](const TableBlock &block) { return block.rows.front() < index; };
-        const auto block = static_cast<std::size_t>(std::ranges::count_if(body.blocks, isAfter));
+        const auto isBefore = [&](std::uint32_t last) { return last < index; };
+        const auto block = static_cast<std::size_t>(std::ranges::count_if(body.lastRows, isBefore));
         FileNotes own;
         std::vector<LabelledValue> said = labelledValuesIn(table, row);
         LabelState state;
@@ -246,17 +248,40 @@ std::vector<NoteLine> noteLines(const CellTable &table, const TableBody &body) {
     return lines;
 }
 
-/// Moves the lines of blocks of other axes out: what a file says above one of its tests is not said of
-/// another. Lines before the first that names an axis hold for all, unless the wanted block says otherwise.
-std::vector<NoteLine> linesOfOtherAxes(std::vector<NoteLine> &lines, std::string_view wanted) {
-    std::map<std::size_t, std::string> axes; // by block
+using BlockAxes = std::map<std::size_t, std::string>;
+
+/// The axes named above blocks, by the index of the block; each holds until another is named.
+BlockAxes axesOf(const std::vector<NoteLine> &lines) {
+    BlockAxes axes;
     for (const NoteLine &line : lines) {
         if (!line.axis.empty())
             axes.try_emplace(line.block, line.axis);
     }
+    return axes;
+}
+
+/// The axis of a block: for those above the first name, the first one.
+std::string axisAt(const BlockAxes &axes, std::size_t block) {
+    const auto behind = axes.upper_bound(block);
+    return behind == axes.begin() ? behind->second : std::prev(behind)->second;
+}
+
+/// The index of the first block of the table that is read, among all blocks.
+std::size_t firstBlockOf(const TableBody &body) {
+    return body.blocks.empty() ? 0
+                               : static_cast<std::size_t>(std::ranges::count_if(
+                                     body.lastRows, [first = body.blocks.front().rows.front()](
+                                                        std::uint32_t last) { return last < first; }));
+}
+
+/// Moves the lines of blocks of other axes out: what a file says above one of its tests is not said of
+/// another. Lines before the first that names an axis hold for all, unless the wanted block says otherwise.
+std::vector<NoteLine> linesOfOtherAxes(std::vector<NoteLine> &lines, std::string_view wanted,
+                                       std::size_t block) {
+    const BlockAxes axes = axesOf(lines);
     if (axes.size() < 2)
         return {};
-    const std::string axis(wanted.empty() ? axes.begin()->second : wanted);
+    const std::string axis = wanted.empty() ? axisAt(axes, block) : std::string(wanted);
     const auto isOfWanted = [&](const NoteLine &line) {
         auto of = axes.upper_bound(line.block); // a block without its own belongs to the one before
         return of == axes.begin() || (--of)->second == axis;
@@ -283,8 +308,7 @@ void leaveRemarks(const CellTable &table, const TableBody &body, FileNotes &note
     const auto isForRemarks = [&](std::size_t c) {
         return c >= body.columns.size() ||
                (body.columns[c].kind == ColumnKind::words &&
-                (body.columns[c].meaning == Meaning::other ||
-                 (body.columns[c].heading.empty() && !numbers.empty() && c > numbers.back())));
+                (body.columns[c].meaning == Meaning::other || (!numbers.empty() && c > numbers.back())));
     };
     for (const TableBlock &block : body.blocks) {
         for (const std::uint32_t index : block.rows) {
@@ -301,12 +325,24 @@ void leaveRemarks(const CellTable &table, const TableBody &body, FileNotes &note
 
 } // namespace
 
+std::vector<std::string> axesOfBlocks(const CellTable &table, const TableBody &body) {
+    const BlockAxes axes = axesOf(noteLines(table, body));
+    std::vector<std::string> all(body.blocks.size());
+    for (const auto &[block, axis] : axes)
+        std::fill(all.begin() + static_cast<std::ptrdiff_t>(std::min(block, all.size())), all.end(), axis);
+    return all;
+}
+
 FileNotes notesOf(const CellTable &table, const TableBody &body, std::string_view axis,
                   const std::vector<CoverSheet> &covers) {
     FileNotes notes;
     LabelState state;
     std::vector<NoteLine> lines = noteLines(table, body);
-    const std::vector<NoteLine> others = linesOfOtherAxes(lines, axis);
+    const std::vector<NoteLine> others = linesOfOtherAxes(lines, axis, firstBlockOf(body));
+    if (body.tables.size() > 1) { // what stands above the table read rules over what stands above another
+        const std::size_t read = firstBlockOf(body);
+        std::ranges::stable_partition(lines, [&](const NoteLine &line) { return line.block == read; });
+    }
     for (const NoteLine &line : lines) {
         if (notes.days.empty())
             notes.days = daysIn(table, *line.row);

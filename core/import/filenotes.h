@@ -57,6 +57,9 @@ struct FileNotes {
 /// number that are understood or end with a colon.
 [[nodiscard]] bool isLabelledValue(const CellTable &table, const TableRow &row);
 
+/// The axis named above each block of numbers, or above one before it; empty if there is none.
+[[nodiscard]] std::vector<std::string> axesOfBlocks(const CellTable &table, const TableBody &body);
+
 /// A sheet of a workbook without a table of its own.
 struct CoverSheet {
     std::string name;
@@ -64,7 +67,8 @@ struct CoverSheet {
 };
 
 /// The facts stated around the table of a test, and on the sheets without one. `axis`: the one chosen, where
-/// the file has tables of several; what stands above the others is not used.
+/// the file has tables of several, otherwise that of the table read; what stands above the others is not
+/// used.
 [[nodiscard]] FileNotes notesOf(const CellTable &table, const TableBody &body, std::string_view axis,
                                 const std::vector<CoverSheet> &covers = {});
 

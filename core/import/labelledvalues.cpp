@@ -6,6 +6,8 @@
 #include "kernel/words/characters.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace palmer {
 
@@ -14,7 +16,7 @@ namespace {
 constexpr std::size_t longestLine = 500;
 constexpr std::size_t longestLabel = 60; // bytes
 constexpr std::string_view separators = ";|\t";
-constexpr std::string_view ends = " \t;,|";
+constexpr std::string_view ends = " \t;,|*"; // "**Machine:** VF2" of Markdown
 
 std::string_view trimmedOf(std::string_view text, std::string_view signs) {
     const std::size_t first = text.find_first_not_of(signs);
@@ -36,9 +38,12 @@ std::string textOf(const CellTable &table, const TableCell &cell) {
     for (std::size_t at = text.find("\"\""); isQuoted && at != std::string::npos;
          at = text.find("\"\"", at + 1))
         text.erase(at, 1);
-    constexpr std::string_view wideColon = "：";
-    if (const std::size_t at = text.find(wideColon); at != std::string::npos)
-        text.replace(at, wideColon.size(), ":");
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> wide{
+        {{"：", ":"}, {"℃", "°C"}, {"℉", "°F"}}};
+    for (const auto &[sign, plain] : wide) {
+        if (const std::size_t at = text.find(sign); at != std::string::npos)
+            text.replace(at, sign.size(), plain);
+    }
     return text;
 }
 
@@ -119,10 +124,11 @@ public:
         : m_partsByCommas(partsByCommas)
         , m_cells(cells) {}
 
-    void add(const std::string &cell) {
+    /// `isLabel`: by its place in the row.
+    void add(const std::string &cell, bool isLabel) {
         std::vector<LabelledValue> inside = inCell(cell);
         if (std::ranges::all_of(inside, [](const LabelledValue &one) { return one.label.empty(); })) {
-            addPlain(cell);
+            addPlain(cell, isLabel);
             return;
         }
         for (LabelledValue &one : inside) {
@@ -135,9 +141,8 @@ public:
     std::vector<LabelledValue> all;
 
 private:
-    void addPlain(const std::string &cell) {
-        const bool isLabel = factOf(cell).has_value() || (all.empty() && m_cells == 2);
-        if (isLabel) {
+    void addPlain(const std::string &cell, bool isLabel) {
+        if (isLabel || factOf(cell).has_value() || (all.empty() && m_cells == 2)) {
             all.push_back({cell, {}, cell});
             m_isOpen = true;
             m_isWithin = false;
@@ -160,42 +165,94 @@ private:
 
 } // namespace
 
-std::vector<std::string> textsIn(const CellTable &table, const TableRow &row) {
-    std::vector<std::string> texts;
+namespace {
+
+/// The text of a cell, and whether empty cells part it from those before.
+struct PlacedText {
+    std::string text;
+    bool isApart = true;
+    bool isNumber = false;
+};
+
+std::vector<PlacedText> placedTextsIn(const CellTable &table, const TableRow &row) {
+    std::vector<PlacedText> texts;
     std::size_t end = 0;
+    bool isApart = true;
     for (const TableCell &cell : table.cells(row)) {
-        if (cell.size == 0)
+        if (cell.size == 0) {
+            isApart = true;
             continue;
+        }
         const std::string text = textOf(table, cell);
         const auto isLetter = [](char c) { return !isDigit(c) && c != '.' && c != '-' && c != '+'; };
         const bool isTorn = table.delimiter.value == Delimiter::comma && !texts.empty() &&
-                            cell.begin == end + 1 && isDigit(text.front()) && isDigit(texts.back().back()) &&
-                            std::ranges::any_of(texts.back(), isLetter);
+                            cell.begin == end + 1 && isDigit(text.front()) &&
+                            isDigit(texts.back().text.back()) &&
+                            std::ranges::any_of(texts.back().text, isLetter);
         if (isTorn)
-            texts.back() += ',' + text;
+            texts.back().text += ',' + text;
         else
-            texts.push_back(text);
+            texts.push_back({text, std::exchange(isApart, false), cell.isNumber()});
         end = cell.begin + cell.size;
     }
     return texts;
 }
 
+/// "Model; VF2; ; Location; Hall 3": of cells in pairs, or of those where each second one is a known label,
+/// the first is a label. True for each of them.
+std::vector<bool> labelsByPlace(const std::vector<PlacedText> &texts) {
+    std::vector<bool> labels(texts.size());
+    const auto isWord = [&](std::size_t i) { return !texts[i].isNumber && !isDigit(texts[i].text.front()); };
+    bool isInTurn = texts.size() > 2 && texts.size() % 2 == 0;
+    bool isAnyKnown = false;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const bool isLast = i + 2 == texts.size() || (i + 2 < texts.size() && texts[i + 2].isApart);
+        labels[i] = texts.size() > 2 && texts[i].isApart && isWord(i) && isLast && !texts[i + 1].isApart;
+        const bool isKnown = factOf(texts[i].text).has_value();
+        isAnyKnown |= isKnown;
+        isInTurn = isInTurn && (i % 2 == 0 ? isWord(i) : !isKnown);
+    }
+    for (std::size_t i = 0; isInTurn && isAnyKnown && i < texts.size(); i += 2)
+        labels[i] = true;
+    return labels;
+}
+
+} // namespace
+
+std::vector<std::string> textsIn(const CellTable &table, const TableRow &row) {
+    std::vector<std::string> texts;
+    for (PlacedText &placed : placedTextsIn(table, row))
+        texts.push_back(std::move(placed.text));
+    return texts;
+}
+
 std::vector<LabelledValue> labelledValuesIn(const CellTable &table, const TableRow &row) {
-    std::vector<std::string> texts = textsIn(table, row);
+    std::vector<PlacedText> texts = placedTextsIn(table, row);
     const auto cells = table.cells(row);
     if (!table.isPlaced && table.delimiter.value == Delimiter::blanks && texts.size() > 1) {
-        const TableCell &last = cells.back();
-        texts = {table.text().substr(
-            cells.front().begin,
-            std::min<std::size_t>(last.begin + last.size - cells.front().begin, longestLine))};
+        // Empty cells of columns of fixed width stand nowhere in the text.
+        const auto isFilled = [](const TableCell &cell) { return cell.size > 0; };
+        const TableCell &first = *std::ranges::find_if(cells, isFilled);
+        const TableCell &last = *std::ranges::find_if(cells.rbegin(), cells.rend(), isFilled);
+        const std::string_view text =
+            std::string_view(table.text())
+                .substr(first.begin,
+                        std::min<std::size_t>(last.begin + last.size - first.begin, longestLine));
+        texts = {{std::string(text)}};
+        // "Control        840D": a label and its value, where nothing else is so far apart.
+        const std::size_t gap = text.find("  ");
+        const std::size_t value = text.find_first_not_of(' ', std::min(gap, text.size()));
+        if (value != std::string_view::npos && !isDigit(text.front()) &&
+            text.find("  ", value) == std::string_view::npos &&
+            text.substr(0, gap).find_first_of(":=") >= gap - 1)
+            texts = {{std::string(text.substr(0, gap))}, {std::string(text.substr(value)), false}};
     }
     LineParts result(!table.isPlaced && table.delimiter.value == Delimiter::comma, texts.size());
+    const std::vector<bool> labels = labelsByPlace(texts);
     std::size_t size = 0;
-    for (const std::string &text : texts) {
-        if (size > longestLine)
-            break;
-        size += text.size();
-        result.add(text);
+    for (std::size_t i = 0; i < texts.size() && size <= longestLine; ++i) {
+        size += texts[i].text.size();
+        result.add(texts[i].text, labels[i]);
     }
     return std::move(result.all);
 }

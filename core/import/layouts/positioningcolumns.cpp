@@ -129,6 +129,8 @@ bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
     const bool isOfAxis = axis.empty() || head.words.axis == 0 || head.words.axis == axis[0];
     const bool isOfOtherState =
         head.words.state != TestRole::notStated && head.words.state != search.reading.stateFound;
+    if (search.result.columns[c].role == ColumnRole::actual && !search.result.sign.empty())
+        return false; // it proved the sign
     if (isOfAxis && !isOfOtherState && (isUnreadable(search, c) || isHeadedAsRun(search, c)))
         return true;
     if (head.kind != ColumnKind::numbers || search.result.columns[c].role != ColumnRole::ignored ||
@@ -291,10 +293,14 @@ TestRole statedState(TableReading &reading, TestRole state, std::string_view wor
 
 std::string resolveAxis(TableReading &reading, const std::vector<std::string> &axes) {
     const std::string chosen(reading.choices.chosen("axis"));
-    reading.axisFound = std::ranges::find(axes, chosen) != axes.end() ? chosen : axes.front();
     std::string names;
     for (const std::string &each : axes)
         names += (names.empty() ? "" : ", ") + each;
+    const bool isOne = std::ranges::find(axes, chosen) != axes.end();
+    if (!chosen.empty() && !isOne)
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), nameOfChoice("axis"), chosen,
+                      names);
+    reading.axisFound = isOne ? chosen : axes.front();
     reading.remarks
         .problem("axis",
                  REPORT_TEXT("report", "Axis: the table has several (%1); %2 is read, the others are a test "

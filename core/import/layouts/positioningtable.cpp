@@ -80,7 +80,9 @@ std::string resolveLayout(TableReading &reading) {
     const auto head = body.blocks.front().numericHead;
     std::string found = body.columnOf(ColumnKind::directions) ? "list" : "targetsDown";
     Origin origin = Origin::recognised;
-    if (head) {
+    if (body.blocks.front().directionHead) {
+        found = "runsDown";
+    } else if (head) {
         const std::vector<double> numbers = numbersOf(reading, *head);
         if (!areNumbersOfRuns(numbers) && isStrictlyMonotone(numbers))
             found = "runsDown";

@@ -33,6 +33,8 @@ public:
                 first = 1;
             }
             readTargets(*head);
+            if (block.directionHead)
+                readDirections(*head, *block.directionHead);
             m_titled = directionOfBlock(m, block).stated;
             for (std::size_t i = first; i < block.rows.size(); ++i)
                 readRun(block.rows[i]);
@@ -40,6 +42,7 @@ public:
         keepUnderstood();
         takeUnitOfCells();
         takeColumns();
+        listOtherHeads();
         return std::move(m_found);
     }
 
@@ -50,7 +53,7 @@ private:
         const auto cells = m.table().cells(m.row(head));
         for (std::size_t c = 0; c < cells.size(); ++c) {
             if (cells[c].isNumber())
-                m_targets.emplace_back(c, cells[c].value);
+                m_targets.push_back({c, cells[c].value});
             else if (cells[c].kind == CellKind::text && words.size() < 200)
                 words += ' ' + std::string(m.table().text(cells[c]));
             m.setRole(head, c, cells[c].isNumber() ? CellRole::position : CellRole::head);
@@ -65,10 +68,26 @@ private:
         }
     }
 
+    /// Each column that names a direction has the target above it, or that of the column before.
+    void readDirections(std::uint32_t head, std::uint32_t directions) {
+        std::vector<Target> targets;
+        std::optional<double> position;
+        const auto cells = m.table().cells(m.row(directions));
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const auto own = m.numberAt(head, c);
+            position = own ? own : position;
+            const auto direction =
+                isDirectionCell(m.table(), cells[c]) ? directionOf(m.table().text(cells[c])) : std::nullopt;
+            if (position && direction)
+                targets.push_back({c, *position, direction});
+        }
+        m_targets = std::move(targets);
+    }
+
     /// The words before the readings: "Run 2 ↓ (µm)".
     [[nodiscard]] std::string labelOf(std::uint32_t row) const {
         std::string label;
-        for (std::size_t c = 0; !m_targets.empty() && c < m_targets.front().first; ++c)
+        for (std::size_t c = 0; !m_targets.empty() && c < m_targets.front().column; ++c)
             label += ' ' + std::string(m.cellText(row, c));
         return label;
     }
@@ -86,6 +105,11 @@ private:
                            excerpt(label));
             return;
         }
+        if (!m_targets.empty() && m_targets.front().direction) {
+            for (const Direction direction : {Direction::positive, Direction::negative})
+                takeRun(row, direction, {heading, said, label, m.row(row).line});
+            return;
+        }
         PlacedPass placed;
         placed.direction = m_titled;
         if (m_directions) {
@@ -95,10 +119,30 @@ private:
             placed.direction = heading.direction;
         }
         placed.number = heading.number.value_or(0);
-        for (const auto &[column, position] : m_targets)
-            placed.add(m, row, position, column);
+        for (const Target &target : m_targets)
+            placed.add(m, row, target.position, target.column);
         m_found.passes.push_back(std::move(placed));
         m_labels.push_back({heading, said, label, m.row(row).line});
+    }
+
+    struct Label {
+        HeadingWords words;
+        SaidUnit unit;
+        std::string text;
+        std::uint32_t line = 0;
+    };
+
+    /// The readings of one direction in a line with both.
+    void takeRun(std::uint32_t row, Direction direction, const Label &label) {
+        PlacedPass placed;
+        placed.direction = direction;
+        placed.number = label.words.number.value_or(0);
+        for (const Target &target : m_targets) {
+            if (target.direction == direction)
+                placed.add(m, row, target.position, target.column);
+        }
+        m_found.passes.push_back(std::move(placed));
+        m_labels.push_back(label);
     }
 
     /// Removes lines with unknown words if other lines name their run or direction; an abbreviation is a
@@ -141,13 +185,6 @@ private:
                                    [&](const Label &label) { return label.words.direction == wanted; });
     }
 
-    struct Label {
-        HeadingWords words;
-        SaidUnit unit;
-        std::string text;
-        std::uint32_t line = 0;
-    };
-
     void takeLabel(const Label &label) {
         if (!m_found.unit.isSaid())
             m_found.unit = label.unit;
@@ -162,11 +199,25 @@ private:
             m_found.content = content;
     }
 
+    /// Lines above the targets that were taken for headings head nothing here.
+    void listOtherHeads() {
+        const auto isUsed = [this](std::uint32_t head) {
+            return std::ranges::any_of(m.body.blocks, [head](const TableBlock &block) {
+                return block.numericHead == head || block.directionHead == head || block.rows.front() == head;
+            });
+        };
+        for (const std::uint32_t head : m.body.columnHeads) {
+            const HeadingWords title = readTitle(m.textOf(head));
+            if (!isUsed(head) && !(title.isTitle() && title.direction))
+                m.notes.unused.add(m.row(head).line, m.textOf(head));
+        }
+    }
+
     /// Takes the unit stated by the readings if it is the same for all.
     void takeUnitOfCells() {
         const Unit *said = nullptr;
-        for (const auto &[column, position] : m_targets) {
-            const Unit *unit = m.table().unitOfColumn(column).unit;
+        for (const Target &target : m_targets) {
+            const Unit *unit = m.table().unitOfColumn(target.column).unit;
             if (said && unit != said)
                 return;
             said = unit;
@@ -181,17 +232,25 @@ private:
             column.unit = nullptr; // those of the headings belong to something else
         if (m_directions)
             m.result.columns[*m_directions].role = ColumnRole::direction;
-        for (const auto &[column, position] : m_targets) {
-            if (column < m.result.columns.size())
-                m.result.columns[column].role = ColumnRole::run;
+        for (const auto &[column, position, direction] : m_targets) {
+            if (column >= m.result.columns.size())
+                continue;
+            m.result.columns[column].role = ColumnRole::run;
+            m.result.columns[column].direction = direction;
         }
         m.choices.resolve("columns", wordOf(m.result.columns), Origin::recognised);
     }
 
+    struct Target {
+        std::size_t column = 0;
+        double position = 0;
+        std::optional<Direction> direction = {}; ///< of the column
+    };
+
     TableReading &m;
     FoundPasses m_found;
     std::optional<std::size_t> m_directions;
-    std::vector<std::pair<std::size_t, double>> m_targets;
+    std::vector<Target> m_targets;
     std::vector<Label> m_labels;
     std::optional<Direction> m_titled;
 };

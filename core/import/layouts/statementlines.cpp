@@ -3,10 +3,12 @@
 #include "import/layouts/tablebody.h"
 
 #include "import/filenotes.h"
+#include "import/labelledvalues.h"
 #include "import/layouts/phrases.h"
 #include "import/layouts/sections.h"
 #include "import/notelabels.h"
 #include "kernel/words/characters.h"
+#include "tables/cellunits.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
 
@@ -153,7 +155,8 @@ public:
             if (!isStatement(rows[i]) && !isLoneRow(i))
                 return false;
         }
-        return isLabelledValue(m_table, m_table.rows()[rows.back()]) || !isHeading(rows.back());
+        return isLabelledValue(m_table, m_table.rows()[rows.back()]) || areLabels(rows.back()) ||
+               !isHeading(rows.back());
     }
 
 private:
@@ -163,7 +166,11 @@ private:
     [[nodiscard]] static bool isSentence(const Entries &all) {
         constexpr std::size_t longestTitle = 3;
         const HeadingWords words = readHeading(all.front().text);
-        return all.size() == 1 && words.words > longestTitle && words.unknownWords > 0 && !words.direction;
+        // "Linear positioning test", "Laser measurement"; "Test 1" counts a run.
+        const bool isOfWholeTest = (words.isTest || words.meaning == Meaning::reading) && words.words > 1 &&
+                                   !words.number && !words.hint;
+        return all.size() == 1 && !words.direction &&
+               (isOfWholeTest || (words.words > longestTitle && words.unknownWords > 0));
     }
 
     /// True for a label with values, but not for a row of a wider table or the title of one of several
@@ -171,12 +178,30 @@ private:
     [[nodiscard]] bool isStatement(std::size_t row) const {
         constexpr std::size_t mostEntries = 4; // "Air", "20.1", "20.3", "°C"
         const Entries all = entries(row);
+        const auto isRule = [](const Entry &entry) { // of Markdown
+            return entry.text.find_first_not_of("-:") == std::string_view::npos;
+        };
+        if (std::ranges::all_of(all, isRule))
+            return true;
         if (all.empty() || all.front().kind != CellKind::text || all.size() > mostEntries ||
             recurs(all.front().text))
             return false;
         const std::string_view label = all.front().text;
         return isSentence(all) || (label.ends_with(':') && all.size() > 1) || isCount(label) ||
-               isLabelledValue(m_table, m_table.rows()[row]) || !tellsReadings(label);
+               isLabelledValue(m_table, m_table.rows()[row]) || areLabels(row) || !tellsReadings(label);
+    }
+
+    /// "Machine under test; VF2; ; Dead path; 80 mm": labels, each with its value.
+    [[nodiscard]] bool areLabels(std::size_t row) const {
+        const std::vector<LabelledValue> said = labelledValuesIn(m_table, m_table.rows()[row]);
+        return std::ranges::all_of(said, [](const LabelledValue &one) {
+            if (one.label.empty() || one.values.empty())
+                return false;
+            // "Measuring instrument; XL-80"
+            const bool isOther =
+                readHeading(one.label).unknownWords > 0 && !tellsReadings(one.values.front());
+            return factOf(one.label) || !tellsReadings(one.label) || isOther;
+        });
     }
 
     /// Numbers below a single row of words: "Lower limit; Upper limit" and "0; 500".
@@ -257,6 +282,122 @@ bool isRowOfStatements(const CellTable &table, const TableRow &row) {
         taken += size;
     }
     return labels.size() > 1;
+}
+
+namespace {
+
+/// Finds columns beside a table that hold labels and their values.
+class StatementColumns {
+public:
+    explicit StatementColumns(const CellTable &table)
+        : m_table(table) {
+        for (const TableRow &row : table.rows())
+            m_width = std::max<std::size_t>(m_width, row.comment ? 0 : row.count);
+    }
+
+    [[nodiscard]] std::size_t width() const { return m_width; }
+
+    /// True if columns `first` to `end` hold statements, and those from `table` to `tableEnd` numbers in some
+    /// of the same lines. If column `gap` between them is not empty, most labels must be known.
+    [[nodiscard]] bool areBeside(std::size_t first, std::size_t end, std::size_t gap, std::size_t table,
+                                 std::size_t tableEnd) const {
+        constexpr std::size_t mostTitles = 2;
+        std::set<std::string> labels;
+        std::size_t known = 0;
+        std::size_t titles = 0;
+        std::size_t shared = 0; // lines with cells of both
+        bool isApart = true;
+        for (const TableRow &row : m_table.rows()) {
+            const std::vector<TableCell> cells = cellsIn(row, first, end);
+            if (row.comment || cells.empty())
+                continue;
+            const bool isShared = !cellsIn(row, table, tableEnd).empty();
+            if (first < table && !isShared) { // a title above the table, or a line below
+                if (cells.front().isNumber())
+                    return false; // the table itself
+                continue;
+            }
+            isApart = isApart && cellsIn(row, gap, gap + 1).empty();
+            shared += isShared ? 1 : 0;
+            if (isTitle(cells) && ++titles <= mostTitles)
+                continue;
+            const std::string label = labelOf(cells);
+            if (label.empty() || !labels.insert(label).second)
+                return false;
+            known += factOf(label) || m_table.text(cells.front()).ends_with(':') ? 1 : 0;
+        }
+        const std::size_t parts = isApart ? 8 : 2;
+        return (isApart || titles == 0) && shared > 0 && known >= (isApart ? 1U : 2U) &&
+               parts * known >= labels.size() && hasNumbers(table, tableEnd);
+    }
+
+private:
+    /// The filled cells of these columns.
+    [[nodiscard]] std::vector<TableCell> cellsIn(const TableRow &row, std::size_t first,
+                                                 std::size_t end) const {
+        std::vector<TableCell> filled;
+        const auto cells = m_table.cells(row);
+        for (std::size_t c = first; c < std::min(end, cells.size()); ++c) {
+            if (cells[c].kind != CellKind::empty)
+                filled.push_back(cells[c]);
+        }
+        return filled;
+    }
+
+    /// The label, folded, of cells that are one with its value; else empty. "Run 1; 0.2" belongs to a table.
+    [[nodiscard]] std::string labelOf(const std::vector<TableCell> &cells) const {
+        constexpr std::size_t mostCells = 4; // "Air", "20.1", "20.3", "°C"
+        if (cells.front().kind != CellKind::text || cells.size() > mostCells)
+            return {};
+        const std::string_view text = m_table.text(cells.front());
+        const std::string_view label = text.substr(0, text.find_first_of(":="));
+        const bool hasValue = cells.size() > 1 || label.size() + 1 < text.size();
+        const bool isOfReadings =
+            !factOf(label) && tellsReadings(label) && cells.size() > 1 && cells[1].isNumber();
+        return hasValue && !isOfReadings ? folded(withoutBlanks(label)) : std::string();
+    }
+
+    /// "Conditions" above statements.
+    [[nodiscard]] bool isTitle(const std::vector<TableCell> &cells) const {
+        const std::string_view text = m_table.text(cells.front());
+        return cells.size() == 1 && cells.front().kind == CellKind::text && !tellsReadings(text) &&
+               text.find_first_of(":=") >= text.size() - 1;
+    }
+
+    [[nodiscard]] bool hasNumbers(std::size_t first, std::size_t end) const {
+        constexpr std::ptrdiff_t fewest = 2; // lines
+        return std::ranges::count_if(m_table.rows(), [&](const TableRow &row) {
+                   return !row.comment &&
+                          std::ranges::any_of(cellsIn(row, first, end), [this](const TableCell &cell) {
+                              return cell.isNumber() ||
+                                     cellWithUnit(m_table.text(cell), m_table.decimalMark.value);
+                          });
+               }) >= fewest;
+    }
+
+    const CellTable &m_table;
+    std::size_t m_width = 0;
+};
+
+} // namespace
+
+void setColumnsAside(CellTable &table) {
+    constexpr std::size_t mostLines = 20'000; // longer tables are series
+    constexpr std::size_t mostColumns = 500;
+    constexpr std::size_t widest = 6; // of statements to the left
+    const StatementColumns columns(table);
+    const std::size_t width = columns.width();
+    if ((table.delimiter.value == Delimiter::blanks && !table.isPlaced) || width > mostColumns ||
+        table.rows().size() > mostLines)
+        return;
+    for (std::size_t c = 1; c < width; ++c) {
+        if (columns.areBeside(c, width, c, 0, c))
+            return table.moveBeside(c, width);
+    }
+    for (std::size_t gap = 1; gap + 1 < std::min(width, widest); ++gap) {
+        if (columns.areBeside(0, gap, gap, gap + 1, width))
+            return table.moveBeside(0, gap);
+    }
 }
 
 void setStatementsAside(CellTable &table) {

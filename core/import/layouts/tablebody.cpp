@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 // Above 500 lines: one sorter, whose steps share the counts of the columns.
@@ -25,12 +26,6 @@ constexpr std::size_t widestTable = 100'000; ///< columns
 bool isNumeric(const TableCell &cell) {
     return cell.kind == CellKind::number || cell.kind == CellKind::missing ||
            cell.kind == CellKind::grouped || cell.kind == CellKind::broken;
-}
-
-/// In a column of directions their signs are not missing readings.
-bool isDirectionCell(const CellTable &table, const TableCell &cell) {
-    return (cell.kind == CellKind::text || cell.kind == CellKind::missing || cell.kind == CellKind::broken) &&
-           directionOf(table.text(cell)).has_value();
 }
 
 /// "X" is a missing reading among numbers, and an axis among axes.
@@ -59,6 +54,22 @@ std::size_t widthOf(const CellTable &table) {
         }
     }
     return width;
+}
+
+/// "Approach; ↑; ↓; ↑; ↓": a direction for each column.
+bool isRowOfDirections(const CellTable &table, const TableRow &row) {
+    constexpr std::ptrdiff_t fewest = 4;
+    const auto cells = table.cells(row);
+    const auto names = [&](Direction direction) {
+        return [&table, direction](const TableCell &cell) {
+            return isDirectionCell(table, cell) && directionOf(table.text(cell)) == direction;
+        };
+    };
+    const auto up = std::ranges::count_if(cells, names(Direction::positive));
+    const auto down = std::ranges::count_if(cells, names(Direction::negative));
+    const auto filled =
+        std::ranges::count_if(cells, [](const TableCell &cell) { return cell.kind != CellKind::empty; });
+    return !row.comment && up == down && up + down >= fewest && filled <= up + down + 1;
 }
 
 /// Numbers of cells in a column by kind.
@@ -217,10 +228,17 @@ public:
         for (const TableRow &row : m_table.rows())
             areBody.push_back(!row.comment && isBodyRow(row));
         const bool gapsCount = gapsSeparate(areBody);
+        findForms();
         std::uint32_t lastLine = 0; // of the last row of the table
+        std::vector<std::uint32_t> beside;
         for (std::uint32_t i = 0; i < m_table.rows().size(); ++i) {
             const TableRow &row = m_table.rows()[i];
-            if (isRule(row)) {
+            if (row.beside) {
+                beside.push_back(i);
+            } else if (m_formHeads.contains(i)) {
+                takeFormHead(i);
+                lastLine = row.line;
+            } else if (isRule(row)) {
                 lastLine = row.line;
             } else if (!areBody[i]) {
                 if (isDamaged(row))
@@ -239,6 +257,7 @@ public:
         }
         finish();
         m_body.notes = std::move(m_heads); // after the last block
+        m_body.notes.insert(m_body.notes.end(), beside.begin(), beside.end());
     }
 
 private:
@@ -268,6 +287,65 @@ private:
         return true;
     }
 
+    /// Finds the tables of ISO 230-2: targets across, each above the two columns that a line of directions
+    /// names; a line that counts the targets may stand above them.
+    void findForms() {
+        constexpr std::uint32_t mostHeads = 3;
+        const auto rows = m_table.rows();
+        for (std::uint32_t i = 0; i < rows.size(); ++i) {
+            if (!isRowOfDirections(m_table, rows[i]))
+                continue;
+            std::optional<std::uint32_t> targets;
+            std::vector<std::uint32_t> heads{i};
+            std::uint32_t above = 0;
+            for (std::uint32_t k = i; above < mostHeads && k-- > 0;) {
+                if (rows[k].beside)
+                    continue;
+                if (rows[k].line + ++above != rows[i].line)
+                    break;
+                const std::vector<double> numbers = numbersAbove(rows[k], rows[i]);
+                if (numbers.empty())
+                    continue;
+                heads.push_back(k);
+                if (!targets &&
+                    std::ranges::adjacent_find(numbers, std::ranges::greater_equal()) == numbers.end())
+                    targets = k;
+            }
+            if (!targets)
+                continue;
+            m_formHeads.insert(heads.begin(), heads.end());
+            m_targetsOf[i] = *targets;
+        }
+    }
+
+    /// The numbers of a line that stand above one of each two directions, or above each; empty if others do.
+    [[nodiscard]] std::vector<double> numbersAbove(const TableRow &row, const TableRow &directions) const {
+        const auto below = m_table.cells(directions);
+        const auto cells = m_table.cells(row);
+        std::vector<double> numbers;
+        std::size_t columns = 0;
+        if (areYears(cells))
+            return {};
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const bool isAbove = c < below.size() && isDirectionCell(m_table, below[c]);
+            columns += isAbove ? 1 : 0;
+            if (cells[c].isNumber() && (!isAbove || row.comment))
+                return {};
+            if (cells[c].isNumber() && (numbers.empty() || numbers.back() != cells[c].value))
+                numbers.push_back(cells[c].value);
+        }
+        return 2 * numbers.size() >= columns ? numbers : std::vector<double>();
+    }
+
+    void takeFormHead(std::uint32_t index) {
+        finish();
+        m_heads.push_back(index);
+        if (const auto targets = m_targetsOf.find(index); targets != m_targetsOf.end()) {
+            m_numericHead = targets->second;
+            m_directionHead = index;
+        }
+    }
+
     /// A line that heads its columns as targets and readings.
     [[nodiscard]] bool isWholeHeading(const TableRow &row) const {
         const auto cells = m_table.cells(row);
@@ -284,6 +362,8 @@ private:
         if (m_block.rows.empty()) {
             m_block.heads = std::exchange(m_heads, {});
             m_block.numericHead = m_numericHead;
+            if (m_numericHead && m_directionHead > m_numericHead)
+                m_block.directionHead = m_directionHead;
         }
         m_block.rows.push_back(index);
     }
@@ -292,6 +372,9 @@ private:
         const auto cells = m_table.cells(row);
         if (cells.size() <= m_firstNumber || !isNumeric(cells[m_firstNumber]) || isLoneDirection(cells))
             return false;
+        if (!cells[m_firstNumber].isNumber() && m_firstNumber > 0 &&
+            isDate(m_table.text(cells[m_firstNumber])))
+            return false; // "Calibrated; 05.03.2024"
         if (m_numberColumns > 2 && !cells.front().isNumber() && isLabelledValue(m_table, row))
             return false;
         if (m_directions && (cells.size() <= *m_directions || !saysDirection(cells[*m_directions])))
@@ -303,13 +386,23 @@ private:
         // Words among the numbers: a heading that begins with a number, not a row with a remark.
         std::size_t numbers = 0;
         std::size_t words = 0;
+        std::size_t remarks = 0; // "beam lost" in place of the reading
         for (std::size_t c = 0; c < std::min(cells.size(), m_body.columns.size()); ++c) {
             if (m_body.columns[c].kind != ColumnKind::numbers || m_body.columns[c].isChosen)
                 continue;
             numbers += isNumeric(cells[c]) ? 1 : 0;
             words += cells[c].kind == CellKind::text ? 1 : 0;
+            remarks += cells[c].kind == CellKind::text && isRemark(m_table.text(cells[c])) ? 1 : 0;
         }
-        return words <= numbers && (m_numberColumns > 2 || words == 0 || words < numbers);
+        const bool isTarget = cells[m_firstNumber].isNumber() && words == remarks;
+        return words <= numbers && (m_numberColumns > 2 || words == 0 || words < numbers || isTarget);
+    }
+
+    /// Words that head no column.
+    [[nodiscard]] static bool isRemark(std::string_view text) {
+        const HeadingWords heading = readHeading(text);
+        return heading.meaning == Meaning::unknown && heading.unknownWords > 0 && !heading.direction &&
+               !heading.hint && !heading.number && !saidUnit(text).isSaid();
     }
 
     /// True also for an unknown word, which is asked so that its points are not lost; not for a heading.
@@ -456,6 +549,9 @@ private:
     TableBlock m_block;                 ///< current block
     std::vector<std::uint32_t> m_heads; ///< for the next block
     std::optional<std::uint32_t> m_numericHead;
+    std::optional<std::uint32_t> m_directionHead;
+    std::set<std::uint32_t> m_formHeads;
+    std::map<std::uint32_t, std::uint32_t> m_targetsOf; ///< lines of targets by that of the directions
     std::size_t m_firstNumber = 0;
     std::size_t m_numberColumns = 0;
     std::optional<std::size_t> m_directions;
@@ -464,6 +560,11 @@ private:
 };
 
 } // namespace
+
+bool isDirectionCell(const CellTable &table, const TableCell &cell) {
+    return (cell.kind == CellKind::text || cell.kind == CellKind::missing || cell.kind == CellKind::broken) &&
+           directionOf(table.text(cell)).has_value();
+}
 
 std::size_t TableBody::rowCount() const {
     std::size_t rows = 0;
@@ -493,6 +594,8 @@ TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbe
     if (body.blocks.empty())
         refuseWithoutNumbers();
     findSections(table, body);
+    for (const TableBlock &block : body.blocks)
+        body.lastRows.push_back(block.rows.back());
     for (const TableBlock &block : body.blocks)
         body.notes.insert(body.notes.end(), block.heads.begin(), block.heads.end());
     std::erase_if(body.notes,

@@ -46,9 +46,10 @@ struct TableColumn {
 /// Related rows of numbers and the words above them, as row indices of the table.
 struct TableBlock {
     std::vector<std::uint32_t> rows;
-    std::vector<std::uint32_t> heads;         ///< since the former block
-    std::optional<std::uint32_t> numericHead; ///< a heading with numbers: "Run; 0; 150; 300"
-    std::size_t section = 0;                  ///< index of the section with its headings
+    std::vector<std::uint32_t> heads;           ///< since the former block
+    std::optional<std::uint32_t> numericHead;   ///< a heading with numbers: "Run; 0; 150; 300"
+    std::optional<std::uint32_t> directionHead; ///< below it, the directions of columns: "; ↑; ↓; ↑; ↓"
+    std::size_t section = 0;                    ///< index of the section with its headings
 };
 
 /// The rows of a table sorted into measured data and statements about them.
@@ -56,6 +57,7 @@ struct TableBody {
     std::vector<TableColumn> columns;               ///< of the first section
     std::vector<std::vector<TableColumn>> sections; ///< alike except for directions and run numbers
     std::vector<TableBlock> blocks;
+    std::vector<std::uint32_t> lastRows;    ///< of the blocks, also of those of tables that are not read
     std::vector<std::uint32_t> notes;       ///< comments and lines that are not headings
     std::vector<std::uint32_t> columnHeads; ///< rows of the headings
     Remarks remarks;
@@ -115,6 +117,9 @@ struct TableBody {
 /// Cells without trailing empty ones.
 [[nodiscard]] std::span<const TableCell> trimmed(std::span<const TableCell> cells);
 
+/// True if a cell names a direction; signs are not missing readings there.
+[[nodiscard]] bool isDirectionCell(const CellTable &table, const TableCell &cell);
+
 /// True for 2024, 2025 above columns: neither a run number nor a target.
 [[nodiscard]] bool isYear(double number);
 
@@ -130,6 +135,10 @@ void findSections(const CellTable &table, TableBody &body);
 
 /// True if a text distinguishes columns or blocks: "Run 1", "Target", "↑", "As found".
 [[nodiscard]] bool tellsReadings(std::string_view text);
+
+/// Makes comments of the statements in columns to the right or left of a table: "Operator; Smith" beside its
+/// lines.
+void setColumnsAside(CellTable &table);
 
 /// Makes comments of the lines above the first table and an empty line if they do not describe columns: "Air
 /// temperature; 20.1; 20.3", "Travel; 0; 500", "Machine: DMU 50". They are read as notes and do not affect

@@ -72,15 +72,22 @@ bool saysYear(const TableCell &cell) {
     return cell.kind == CellKind::number && isYear(cell.value);
 }
 
+/// The first column that holds anything: the bars of Markdown leave none before them.
+std::size_t firstColumn(const std::vector<TableColumn> &columns) {
+    const auto found = std::ranges::find_if(
+        columns, [](const TableColumn &column) { return column.kind != ColumnKind::empty; });
+    return static_cast<std::size_t>(found - columns.begin());
+}
+
 /// ";Linear;;Pitch;", ";2024;;2025;", "X;X;Y;Y": headings above several columns each, not label and value.
-bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) {
+bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width, std::size_t first) {
     const auto cells = trimmed(table.cells(row));
     if (row.comment || cells.empty() || cells.size() > width || width < 3)
         return false;
     std::size_t filled = 0;
     std::size_t gaps = 0;
     std::size_t repeated = 0;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
+    for (std::size_t c = first; c < cells.size(); ++c) {
         if (cells[c].kind == CellKind::empty) {
             ++gaps;
             continue;
@@ -89,10 +96,11 @@ bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) 
         const bool isLetter = cells[c].kind == CellKind::missing && folded(text) == "x"; // not missing
         if ((cells[c].kind != CellKind::text && !saysYear(cells[c]) && !isLetter) || text.ends_with(':'))
             return false;
-        repeated += c > 0 && cells[c - 1].kind != CellKind::empty && table.text(cells[c - 1]) == text ? 1 : 0;
+        repeated +=
+            c > first && cells[c - 1].kind != CellKind::empty && table.text(cells[c - 1]) == text ? 1 : 0;
         ++filled;
     }
-    const bool beginsBehindTargets = cells.front().kind == CellKind::empty;
+    const bool beginsBehindTargets = first < cells.size() && cells[first].kind == CellKind::empty;
     return beginsBehindTargets ? filled > 0 : filled > 1 && filled < width && (gaps > 0 || repeated > 0);
 }
 
@@ -247,7 +255,8 @@ class HeadingSearch {
 public:
     HeadingSearch(const CellTable &table, const TableBlock &block, const std::vector<TableColumn> &all)
         : m_table(table)
-        , m_block(block) {
+        , m_block(block)
+        , m_columns(all) {
         std::size_t width = 0; // of this block, which may be narrower than the file's widest
         for (const std::uint32_t row : block.rows)
             width = std::max<std::size_t>(width, table.rows()[row].count);
@@ -287,7 +296,8 @@ private:
     bool take(std::uint32_t index) {
         const TableRow &head = row(index);
         // Run numbers are below what they number: "Forward;;Reverse;" above "1;2;1;2".
-        const bool isGroup = !m_found.rows.empty() && isGroupRow(m_table, head, m_width);
+        const bool isGroup =
+            !m_found.rows.empty() && isGroupRow(m_table, head, m_width, firstColumn(m_columns));
         const bool isNumeric = m_block.numericHead == index;
         if (!isNumeric && !isGroup && !isHeading(m_table, head, m_width))
             return false;
@@ -300,10 +310,10 @@ private:
             isRowOfStatements(m_table, head);
         if (m_isComplete && (isStatement || (!isGroup && !addsToHeadings(m_table, head))))
             return false;
-        m_isComplete |= !isNumeric && cells.size() >= m_width && !isRowOfUnits(m_table, cells) &&
-                        std::ranges::all_of(cells.first(m_width), [](const TableCell &cell) {
-                            return cell.kind != CellKind::empty;
-                        });
+        m_isComplete |=
+            !isNumeric && cells.size() >= m_width && !isRowOfUnits(m_table, cells) &&
+            std::ranges::all_of(cells.first(m_width).subspan(std::min(firstColumn(m_columns), m_width)),
+                                [](const TableCell &cell) { return cell.kind != CellKind::empty; });
         if (m_units && m_found.rows.empty())
             takeUnits(head);
         m_found.rows.push_back(index);
@@ -319,6 +329,7 @@ private:
 
     const CellTable &m_table;
     const TableBlock &m_block;
+    const std::vector<TableColumn> &m_columns;
     std::size_t m_width = 0;
     HeadingRows m_found;
     std::optional<std::uint32_t> m_units; ///< a short row of units
@@ -356,7 +367,8 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
         const bool spans = filled + 1 < columns.size() && index != rows.back();
         const bool hasUnits = isRowOfUnits(table, cells);
         const bool isBelow = index != rows.front();
-        const bool isGroup = index != rows.back() && isGroupRow(table, table.rows()[index], columns.size());
+        const bool isGroup = index != rows.back() &&
+                             isGroupRow(table, table.rows()[index], columns.size(), firstColumn(columns));
         std::string_view last;
         for (std::size_t c = 0; c < columns.size(); ++c) {
             std::string_view text = c < cells.size() ? table.text(cells[c]) : std::string_view();

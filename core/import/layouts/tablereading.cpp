@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <span>
 
@@ -66,9 +67,34 @@ int likeness(const std::vector<TableColumn> &columns) {
     return axes == 2 ? 2 : (places ? 1 : 0) + (readings ? 1 : 0);
 }
 
-/// Keeps the blocks of one table and lists the others: the chosen one (from 1), by default the longest one
-/// with targets and readings.
-void keepOneTable(const CellTable &table, TableBody &body, std::optional<std::size_t> chosen) {
+/// The axes that the lines above the blocks of each table name.
+struct TablesOfAxis {
+    std::set<std::size_t> wanted;              ///< with a block of the wanted axis
+    std::map<std::size_t, std::string> axesOf; ///< a list
+    bool isOfSeveral = false;                  ///< the file names other axes, too
+};
+
+TablesOfAxis tablesOfAxis(const std::vector<std::string> &axes, const TableBody &body,
+                          const std::vector<std::size_t> &kindOf, std::string_view wanted) {
+    TablesOfAxis result;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const std::size_t kind = kindOf[body.blocks[i].section];
+        if (kind >= body.tables.size())
+            continue;
+        std::string &list = result.axesOf[kind];
+        if (axes[i] == wanted)
+            result.wanted.insert(kind);
+        else
+            result.isOfSeveral |= !axes[i].empty();
+        if (!axes[i].empty() && list.find(axes[i]) == std::string::npos)
+            list += (list.empty() ? "" : ", ") + axes[i];
+    }
+    return result;
+}
+
+/// Keeps the blocks of one table and lists the others: the chosen one (from 1), that of the chosen axis, by
+/// default the longest one with targets and readings. True if the axis decided.
+bool keepOneTable(const CellTable &table, TableBody &body, const Choices &choices) {
     constexpr std::size_t mostKinds = 50; // a report with more is not read as a whole
     constexpr std::size_t longestHeadings = 60;
     std::vector<std::size_t> sections; // first section of each kind
@@ -102,10 +128,24 @@ void keepOneTable(const CellTable &table, TableBody &body, std::optional<std::si
     };
     for (std::size_t k = 1; k < sections.size(); ++k)
         body.table = rank(k) > rank(body.table) ? k : body.table;
-    if (chosen && *chosen >= 1 && *chosen <= sections.size())
+    const auto chosen = chosenTable(choices);
+    const bool isChosen = chosen && *chosen >= 1 && *chosen <= sections.size();
+    if (isChosen)
         body.table = *chosen - 1;
+    bool isOfAxis = false;
+    if (sections.size() > 1 && choices.isChosen("axis")) {
+        TablesOfAxis tables = tablesOfAxis(axesOfBlocks(table, body), body, kindOf, choices.chosen("axis"));
+        if (isChosen && !tables.wanted.empty() && !tables.wanted.contains(body.table) &&
+            !tables.axesOf[body.table].empty())
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), nameOfChoice("axis"),
+                          std::string(choices.chosen("axis")), tables.axesOf[body.table]);
+        isOfAxis = !isChosen && tables.wanted.size() == 1 && tables.isOfSeveral;
+        if (!isChosen && !tables.wanted.empty())
+            body.table = *std::ranges::max_element(tables.wanted, {}, rank);
+    }
     std::erase_if(body.blocks, [&](const TableBlock &block) { return kindOf[block.section] != body.table; });
     body.columns = body.sections[sections[body.table]];
+    return isOfAxis;
 }
 
 /// The statements of the lines above a block: machine, serial number, day, the text of a day, plane and
@@ -165,9 +205,9 @@ std::vector<std::string> testsOf(std::span<const BlockFacts> blocks) {
 TableReading::TableReading(Imported &imported, Choices &chosen, const std::vector<CoverSheet> &covers)
     : result(imported)
     , choices(chosen)
-    , body(bodyOf(imported.table, chosenNumbers(chosen)))
-    , notes(notesOf(imported.table, body, chosen.chosen("axis"), covers)) {
-    keepOneTable(result.table, body, chosenTable(chosen));
+    , body(bodyOf(imported.table, chosenNumbers(chosen))) {
+    const bool isOfAxis = keepOneTable(result.table, body, chosen);
+    notes = notesOf(imported.table, body, chosen.chosen("axis"), covers);
     keepOneTest(covers);
     std::size_t cells = 0;
     for (const TableRow &each : result.table.rows())
@@ -178,30 +218,51 @@ TableReading::TableReading(Imported &imported, Choices &chosen, const std::vecto
             setRole(head, c, CellRole::head);
     }
     result.remarks.insert(result.remarks.end(), body.remarks.begin(), body.remarks.end());
-    askForTable();
-    askForCutNumber();
+    askForTable(isOfAxis);
+    askForCutEnd();
 }
 
-/// "2," at the very end of a text: the file may have been cut within the number.
-void TableReading::askForCutNumber() {
-    if (table().isPlaced || body.blocks.empty())
+/// The last line, without its end: "2," where no other number ends so, or "-1" where all have a decimal, or
+/// with fewer cells than the others. The file may have been cut there.
+void TableReading::askForCutEnd() {
+    if (table().isPlaced || body.blocks.empty() || table().text().ends_with('\n') ||
+        table().text().ends_with('\r'))
         return;
-    const TableBlock &block = body.blocks.back();
-    const TableRow &last = row(block.rows.back());
+    const TableRow &last = *std::ranges::max_element(table().rows(), {}, &TableRow::line);
+    const std::vector<std::uint32_t> &rows = body.blocks.back().rows;
+    const TableRow &end = row(rows.back());
+    if (last.line > end.line + 1 || last.comment || rows.size() < 2)
+        return;
     const auto cells = table().cells(last);
+    const std::size_t at = cells.size() - 1;
     const char mark = table().decimalMark.value == DecimalMark::comma ? ',' : '.';
-    const auto isOpen = [&](const TableCell &each) {
-        return each.isNumber() && each.size > 1 && table().text(each).back() == mark;
+    const auto decimals = [mark](std::string_view number) {
+        const std::size_t point = number.rfind(mark);
+        return point == std::string_view::npos ? 0 : number.size() - point;
     };
-    std::size_t open = 0;
-    for (const std::uint32_t index : block.rows)
-        open += static_cast<std::size_t>(std::ranges::count_if(table().cells(row(index)), isOpen));
-    if (!cells.empty() && isOpen(cells.back()) && open == 1)
+    const std::size_t usual = row(rows.front()).count;
+    bool areEqual = last.line == end.line && cells.back().isNumber();
+    std::set<std::size_t> sizes;
+    bool areAll = true;
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+        const TableCell *above = cell(rows[i], at);
+        areEqual = areEqual && above && above->isNumber();
+        areAll = areAll && row(rows[i]).count == usual;
+        if (above)
+            sizes.insert(decimals(table().text(*above)));
+    }
+    const std::size_t size = decimals(table().text(cells.back()));
+    const bool isOpen = cells.back().size > 1 && size == 1 && !sizes.contains(1);
+    const bool isShortNumber = areEqual && (isOpen || (sizes.size() == 1 && size < *sizes.begin()));
+    const bool isShortLine = areAll && last.count < usual && cells.front().isNumber();
+    if (isShortNumber || isShortLine)
         remarks
-            .problem(
-                {"unread", last.line},
-                REPORT_TEXT("report", "“%1” ends the table within a number: the file seems to be cut short."),
-                std::string(table().text(cells.back())))
+            .problem({"unread", last.line},
+                     isShortNumber ? REPORT_TEXT("report", "“%1” ends the table within a number: the file "
+                                                           "seems to be cut short.")
+                                   : REPORT_TEXT("report", "“%1” ends the table within a line: the file "
+                                                           "seems to be cut short."),
+                     std::string(table().text(cells.back())))
             .column = cells.size();
 }
 
@@ -251,18 +312,18 @@ void TableReading::keepOneTest(const std::vector<CoverSheet> &covers) {
     notes = notesOf(result.table, body, choices.chosen("axis"), covers);
 }
 
-void TableReading::askForTable() {
+void TableReading::askForTable(bool isOfAxis) {
     if (body.tables.size() < 2)
         return;
     result.tables = body.tables;
     result.readTable = body.table;
     const std::string read = std::to_string(body.table + 1);
-    const auto choice = choices.resolve("table", read, Origin::guessed);
+    const auto choice = choices.resolve("table", read, isOfAxis ? Origin::recognised : Origin::guessed);
     if (choice.origin == Origin::chosen && choice.value != read)
         refuseContent(REPORT_TEXT("report", "%1 cannot be %2; the file has %3 of them"),
                       nameOfChoice("table"), choice.value, std::to_string(body.tables.size()));
     std::string list;
-    Remark question{RemarkGrade::problem, {}, 0, 0, "table"};
+    Remark question{isOfAxis ? RemarkGrade::note : RemarkGrade::problem, {}, 0, 0, "table"};
     for (std::size_t i = 0; i < body.tables.size(); ++i) {
         const ListedTable &table = body.tables[i];
         const std::string number = std::to_string(i + 1);

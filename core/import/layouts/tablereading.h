@@ -68,9 +68,9 @@ public:
                                                ///< adjustment
 
 private:
-    void askForTable();
+    void askForTable(bool isOfAxis);
     void keepOneTest(const std::vector<CoverSheet> &covers);
-    void askForCutNumber();
+    void askForCutEnd();
     std::optional<double> noNumber(std::uint32_t index, std::size_t column);
 
     std::size_t m_missingWords = 0;

@@ -287,6 +287,7 @@ void askForFactor(const TableReading &reading) {
 void readMeasurementTable(Choices &choices, Imported &imported, const std::vector<CoverSheet> &covers) {
     if (choices.isChosen("lines"))
         keepLines(imported.table, choices.resolve("lines", {}, Origin::chosen).value);
+    setColumnsAside(imported.table);
     imported.table.takeUnits();
     setStatementsAside(imported.table);
     TableReading reading(imported, choices, covers);

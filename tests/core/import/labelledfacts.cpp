@@ -263,6 +263,151 @@ private slots:
         QCOMPARE(factsOf(read("Rotary axis: A\nAxis: X")).section('|', 5, 5), "X");
     }
 
+    /// Statements stand to the right or left of a table as well; the table is read as without them.
+    void standBesideTheTable_data() {
+        QTest::addColumn<QByteArray>("text");
+        const std::vector<QByteArray> facts{"Machine;DMU 50", "Location;Hall 3", "Serial number:;4711",
+                                            "Operator;J. Smith", "Date of test;2026-02-13"};
+        const std::vector<QByteArray> lines{"Target (mm);Fwd (µm);Rev (µm)", "0;1;2", "100;3;4", "200;5;6"};
+        const auto joined = [&](bool isRight, const QByteArray &gap) {
+            QByteArray text;
+            for (std::size_t i = 0; i < facts.size(); ++i) {
+                const QByteArray line = i < lines.size() ? lines[i] : QByteArray(";;");
+                text += isRight ? line + ";" + gap + facts[i] : facts[i] + ";" + gap + line;
+                text += '\n';
+            }
+            return text;
+        };
+        QTest::newRow("right, apart") << joined(true, ";");
+        QTest::newRow("right") << joined(true, "");
+        QTest::newRow("left, apart") << joined(false, ";");
+        QTest::newRow("right, titled") << QByteArray(table)
+                                                  .replace("Rev (µm)", "Rev (µm);;Conditions")
+                                                  .replace("0;1;2", "0;1;2;;Machine;DMU 50")
+                                                  .replace("100;3;4", "100;3;4;;Serial number;4711")
+                                                  .replace("200;5;6", "200;5;6;;Operator;J. Smith") +
+                                              ";;;;Date of test;2026-02-13\n;;;;Location;Hall 3\n";
+    }
+    void standBesideTheTable() {
+        QFETCH(QByteArray, text);
+        const Imported imported = showMeasurement(text, "x.csv", {});
+        QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
+        QCOMPARE(factsOf(imported), QString("DMU 50|4711|J. Smith|2026-02-13|-||-|-|-"));
+        QVERIFY2(remarksOf(imported).contains("Hall 3"), qPrintable(remarksOf(imported)));
+        QVERIFY2(!remarksOf(imported).contains("Columns"), qPrintable(remarksOf(imported)));
+        QCOMPARE(testdata::picture(imported).section('\n', 0, 2),
+                 testdata::picture(showMeasurement(table, "x.csv", {})));
+    }
+
+    /// Columns of a table are no statements beside it.
+    void columnsStayColumns_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<std::size_t>("readings");
+        QTest::newRow("operators") << QByteArray(
+                                          "Target (mm);↑ (µm);;Operator;Machine\n0;1;;A;M\n100;2;;A;M\n")
+                                   << std::size_t(2);
+        QTest::newRow("another table")
+            << QByteArray("Target (mm);↑ (µm);;Machine;↓ (µm)\n0;1;;0;5\n100;2;;100;6\n") << std::size_t(4);
+        QTest::newRow("pairs below") << QByteArray(
+                                            "i;Target (mm);↑ (µm)\n1;0;1\n2;100;2\n3;200;3\n\n"
+                                            "Machine:;M;Travel:;1300 mm\nDwell:;3 s;Coefficient:;11 µm/m/K\n"
+                                            "Operator:;A;Dead path:;82 mm\n")
+                                     << std::size_t(3);
+    }
+    void columnsStayColumns() {
+        QFETCH(QByteArray, text);
+        QFETCH(std::size_t, readings);
+        const Imported imported = showMeasurement(text, "x.csv", {});
+        QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
+        QCOMPARE(readingsOf(*imported.test), readings);
+    }
+
+    /// In cells in pairs the first is a label, known or not: its date is not that of the test.
+    void pairsKeepTheirLabels() {
+        const Imported imported = showMeasurement("Model;K2;;Controller;840D\nCalibrated;23.01.2020;;Place;"
+                                                  "Hall 3\nCalibrated;23.01.2020;Machine;M\n"
+                                                  "Machine under test;M;;Dead path;82 mm\n\n" +
+                                                      table,
+                                                  "x.csv", {});
+        QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
+        QCOMPARE(factsOf(imported), QString("M|||-|-||-|-|-"));
+        QVERIFY2(remarksOf(imported).contains("Calibrated 23.01.2020"), qPrintable(remarksOf(imported)));
+    }
+
+    /// "Calibrated    23.01.2020" above columns of fixed width is quoted once, and only there.
+    void wideLinesAreNotReadTwice() {
+        const Imported imported = showMeasurement("Calibrated                    12.07.2021\n"
+                                                  "Certificate                   A 1\n\n"
+                                                  "                  Error [µm]\n"
+                                                  "                      up       down\n"
+                                                  "   Target (mm)     Run 1      Run 1\n"
+                                                  "         0.000       2.7       -0.4\n"
+                                                  "        41.860       3.6        1.2\n"
+                                                  "       100.000       3.8        2.0\n",
+                                                  "x.txt", {});
+        QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
+        QCOMPARE(imported.test->date, std::nullopt);
+        QCOMPARE(remarksOf(imported).count("12.07.2021"), 1);
+    }
+
+    /// Tables of other headings are of the axis and day that stand above them.
+    void belongToTheirTable() {
+        const QByteArray text = "Machine: M\n\nAxis X\nDate: 2026-03-04\nAir temperature: 20.5 °C\n"
+                                "Target (mm);Run 1 ↑ (µm);Run 1 ↓ (µm)\n0;1;2\n100;2;3\n200;3;4\n\n"
+                                "Axis Y\nDate: 2026-03-05\nAir temperature: 22.5 °C\n"
+                                "Target (mm);Error ↑ (µm);Error ↓ (µm)\n0;5;6\n50;6;7\n100;7;8\n150;8;9\n";
+        const auto read = [&](const ImportOptions &options) {
+            const Imported imported = importMeasurement(text, "x.csv", options);
+            return factsOf(imported).section('|', 3, 5) + factsOf(imported).section('|', 9) + ' ' +
+                   QString::number(readingsOf(*imported.test));
+        };
+        const QString ofX = "2026-03-04|-|XAir temperature 2 20.5 - 6";
+        const QString ofY = "2026-03-05|-|YAir temperature 2 22.5 - 8";
+        QCOMPARE(read({}), ofY);
+        QCOMPARE(read({{"table", "1"}}), ofX);
+        QCOMPARE(read({{"table", "2"}}), ofY);
+        QCOMPARE(read({{"axis", "X"}}), ofX);
+        QCOMPARE(read({{"axis", "Y"}}), ofY);
+        QCOMPARE(read({{"axis", "X"}, {"table", "1"}}), ofX);
+        QVERIFY(importMeasurement(text, "x.csv", {{"axis", "X"}}).questions.size() == 1); // of 20 °C
+        QVERIFY_THROWS_EXCEPTION(Error, read({{"axis", "X"}, {"table", "2"}}));
+    }
+
+    void otherFormsAreRead_data() {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<QString>("facts");
+        const auto row = [](const char *line, const char *facts) {
+            QTest::newRow(line) << QByteArray(line) << QString(facts);
+        };
+        row("Pressure: 101.3 kPa", "|||-|-||1013|-|-");
+        row("Luftdruck: 750 mmHg", "|||-|-||999.9|-|-");
+        row("Air pressure: 600 kPa", "|||-|-||-|-|-"); // of a supply
+        row("Pression d’air: 965 mbar", "|||-|-||965|-|-");
+        row("Rel. humidity: 45 %", "|||-|-||-|45|-");
+        row("Feed: 1 000 mm/min", "|||-|-||-|-|1000");
+        row("Feed rate: F1000 mm/min", "|||-|-||-|-|1000");
+        row("Traverse speed: 1 m/min", "|||-|-||-|-|1000");
+        row("Feed: 1,000 mm/min", "|||-|-||-|-|-"); // one, or a thousand
+        row("Beginn: 14:06", "|||-|14:06||-|-|-");
+        row("Heure : 10h25", "|||-|10:25||-|-|-");
+        row("Uhrzeit: 16.53 Uhr", "|||-|16:53||-|-|-");
+        row("Datum: 23. 10. 2025", "|||2025-10-23|-||-|-|-");
+        row("Date: 20251023", "|||2025-10-23|-||-|-|-");
+        row("Date: 20122012", "|||-|-||-|-|-");
+        row("Date: 4th of March 2023", "|||2023-03-04|-||-|-|-");
+        row("Asse misurato: Y", "|||-|-|Y|-|-|-");
+        row("Macchina in prova: M", "M|||-|-||-|-|-");
+        row("**Machine:** M", "M|||-|-||-|-|-");
+        row("Environment temp: 20.5 ℃", "|||-|-||-|-|-|Environment temp 2 20.5 -");
+    }
+    void otherFormsAreRead() {
+        QFETCH(QByteArray, line);
+        QFETCH(QString, facts);
+        const Imported imported = showMeasurement(line + "\n\n" + table, "x.csv", {});
+        QVERIFY2(imported.test, qPrintable(remarksOf(imported)));
+        QCOMPARE(factsOf(imported), facts);
+    }
+
     /// What a file says above the table of one axis is not said of the other.
     void belongToTheirBlock() {
         const QByteArray one = "Operator: A\nDate: 2026-02-13\nTemperature: 20.1\nAxis: X\n" + table;

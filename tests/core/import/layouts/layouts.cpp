@@ -72,6 +72,78 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     const auto row = [](const char *name, const char *text, const char *expected) {
         QTest::newRow(name) << QByteArray(text) << QString(expected);
     };
+    // The form of ISO 230-2: each target above the columns of its two directions.
+    row("the form of the standard",
+        "Position no. i;1;;2;;3;\nTarget (mm);0;;100;;200;\nApproach;↑;↓;↑;↓;↑;↓\n"
+        "Deviation 1 (µm);1;2;3;4;5;6\nDeviation 2 (µm);1.5;2.5;3.5;4.5;5.5;6.5\n"
+        "Mean (µm);1.2;2.2;3.2;4.2;5.2;6.2\nB (µm);-1;;-1;;-1;\n",
+        "ignored,run+,run-,run+,run-,run+,run- / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ↑ 1.5 3.5 5.5 / ↓ 2.5 4.5 "
+        "6.5 / ");
+    row("the form, targets in each column",
+        "Cible (mm);0;0;100;100;200;200\nSens;aller;retour;aller;retour;aller;retour\n"
+        "Écart 1 [µm];1;2;3;4;5;6\n",
+        "ignored,run+,run-,run+,run-,run+,run- / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ");
+    // Columns of fixed width: a single blank parts the words of a label.
+    row("labels of fixed width",
+        "  Axis position (mm)   10.000   160.000   304.280\n           up 1 (µm)      3.3       0.1     "
+        " -2.2\n         down 1 (µm)      6.2       3.9       2.3\n",
+        "ignored,run,run,run / 10 160 304.28 / ↑ 3.3 0.1 -2.2 / ↓ 6.2 3.9 2.3 / ");
+    row("labels of fixed width with signs",
+        "Quota (mm)         -200,0    100,0    300,0\ndirezione + 1 µm     -7,1     -0,8      2,0\n"
+        "direzione - 1 µm     -5,7     -2,7      2,3\n",
+        "ignored,run,run,run / -200 100 300 / ↑ -7.1 -0.8 2 / ↓ -5.7 -2.7 2.3 / directions");
+    row("directions of two words, of fixed width",
+        "Dir.        Target (mm)  Positional deviation (µm)   Run no.\n"
+        "approach +  0.000        3.2                         1\n"
+        "approach +  25.000       2.3                         1\n"
+        "approach -  25.000       1.3                         1\n"
+        "approach -  0.000        0.1                         1\n",
+        "direction,target,deviation,number / 0 25 / ↑ 3.2 2.3 / ↓ 0.1 1.3 / ");
+    row("groups flush right",
+        "                   Error [µm]\n                       avanti              indietro\n"
+        "    Quota [mm]        Prova 1    Prova 2    Prova 1    Prova 2\n"
+        "         10,00            1,9        3,7        6,3        5,9\n"
+        "         58,67            2,0        2,5        4,5        4,2\n"
+        "        114,17            0,0       -0,4        2,6        2,0\n",
+        "target,deviation+1,deviation+2,deviation-1,deviation-2 / 10 58.67 114.17 / ↑ 1.9 2 0 / ↓ 6.3 4.5 "
+        "2.6 "
+        "/ ↑ 3.7 2.5 -0.4 / ↓ 5.9 4.2 2 / ");
+    // The bars of Markdown: what stands above its table is no group of headings.
+    row("statements in bars above a table in bars",
+        "# Report\n\n|  |  |\n|---|---|\n| N° série instrument | 81A55 |\n| Contrôleur | K. O |\n"
+        "| Commande | R/77 |\n\n| Cote (mm) | Écart + 1 (µm) | Écart - 1 (µm) |\n|---|---:|---:|\n"
+        "| 0 | 1 | 2 |\n| 100 | 3 | 4 |\n",
+        "ignored,target,deviation+1,deviation-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    // Positions that prove the deviations beside them.
+    row("readings beside errors",
+        "Target (mm);Reading up 1 (mm);Error up 1 (mm);Reading down 1 (mm);Error down 1 (mm)\n"
+        "0;0.0012;0.0012;0.0022;0.0022\n100;100.0021;0.0021;100.0031;0.0031\n"
+        "200;199.999;-0.001;200.001;0.001\n",
+        "target,actual,deviation+1,actual,deviation-1 / 0 100 200 / ↑ 1.2 2.1 -1 / ↓ 2.2 3.1 1 / ");
+    // Words and errors of a spreadsheet in place of a reading.
+    row("a word in two columns",
+        "↑\nTarget (mm);Error (µm)\n0;1\n100;beam lost\n200;3\n300;4\n\n↓\nTarget (mm);Error (µm)\n"
+        "0;5\n100;6\n200;7\n300;8\n",
+        "target,deviation / 0 100 200 300 / ↑ 1 – 3 4 / ↓ 5 6 7 8 / unread");
+    row("an error of a spreadsheet",
+        "↑\nTarget (mm);Error (µm)\n0;1\n100;#DIV/0!\n200;3\n300;4\n\n↓\nTarget (mm);Error (µm)\n"
+        "0;5\n100;****\n200;7\n300;--.-\n",
+        "target,deviation / 0 100 200 300 / ↑ 1 – 3 4 / ↓ 5 – 7 – / unread");
+    // The end of a file that was cut.
+    row("cut within a number", "Target (mm);↑ (µm);↓ (µm)\n0;1.5;2.5\n100;3.5;4.5\n200;5.5;-1",
+        "target,run+,run- / 0 100 200 / ↑ 1.5 3.5 5.5 / ↓ 2.5 4.5 -1 / unread");
+    row("cut within a line", "Target (mm);↑ (µm);↓ (µm)\n0;1.5;2.5\n100;3.5;4.5\n200;5.5",
+        "target,run+,run- / 0 100 200 / ↑ 1.5 3.5 5.5 / ↓ 2.5 4.5 – / unread");
+    row("no end of the last line", "Target (mm);↑ (µm);↓ (µm)\n0;1.5;2.5\n100;3.5;4.5\n200;5.5;-1.5",
+        "target,run+,run- / 0 100 200 / ↑ 1.5 3.5 5.5 / ↓ 2.5 4.5 -1.5 / ");
+    row("a list of decimal commas between words",
+        "Target (mm)\tDirection\tRun\tError (µm)\n0,000\tforward\t1\t3,0\n100,000\tforward\t1\t3,6\n"
+        "100,000\treverse\t1\t4,0\n0,000\treverse\t1\t-0,7\n",
+        "target,direction,number,deviation / 0 100 / ↑ 3 3.6 / ↓ -0.7 4 / ");
+    row("a title and statements above targets across",
+        "Mesure laser\nMachine;X\nCN;840D\nÉtalonné le;24.07.2022\nRemarque;fermé\n\n"
+        "Cible (mm);0;100;200\nAller 1 (µm);1;2;3\nRetour 1 (µm);4;5;6\n",
+        "ignored,run,run,run / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / ");
     // Columns of different meaning.
     row("target, measured, deviation",
         "Target;Measured (mm);Deviation (µm)\n0;0.0012;1.2\n100;100.0021;2.1\n200;199.999;-1\n",
