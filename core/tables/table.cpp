@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -621,6 +622,16 @@ bool isLabel(const CellTable &table, std::span<const TableCell> parts, std::size
     return hasWord;
 }
 
+/// True if a joined cell is one of the cells of its line, or a label of several.
+bool isOneOrLabel(const CellTable &table, std::span<const TableCell> cells, const TableCell &joined,
+                  std::size_t lines) {
+    std::vector<TableCell> parts;
+    std::ranges::copy_if(cells, std::back_inserter(parts), [&](const TableCell &part) {
+        return part.begin >= joined.begin && part.begin < joined.begin + joined.size;
+    });
+    return parts.size() < 2 || isLabel(table, parts, lines);
+}
+
 } // namespace
 
 /// "direction + 1    0.1    0.2" among lines of numbers: where wider gaps part the columns of most of them,
@@ -652,23 +663,13 @@ const TableRow *CellTable::joinLabels() {
         std::ranges::max_element(lines, {}, [&](const auto &each) { return numbers[each.first]; });
     if (usual == lines.end() || 5 * numbers[usual->first] < 4 * allNumbers)
         return nullptr;
-    bool isAnyJoined = false;
-    for (const Line &line : usual->second) {
-        const TableRow &row = m_rows[line.row];
-        isAnyJoined |= line.joined.size() != row.count;
-        if (count(line.joined) < fewest)
-            return nullptr;
-        for (const TableCell &cell : line.joined) {
-            std::vector<TableCell> parts;
-            for (const TableCell &part : cells(row)) {
-                if (part.begin >= cell.begin && part.begin < cell.begin + cell.size)
-                    parts.push_back(part);
-            }
-            if (parts.size() > 1 && !isLabel(*this, parts, all))
-                return nullptr;
-        }
-    }
-    if (!isAnyJoined)
+    const auto isReadable = [&](const Line &line) {
+        return count(line.joined) >= fewest && std::ranges::all_of(line.joined, [&](const TableCell &cell) {
+                   return isOneOrLabel(*this, cells(m_rows[line.row]), cell, all);
+               });
+    };
+    const auto isJoined = [&](const Line &line) { return line.joined.size() != m_rows[line.row].count; };
+    if (!std::ranges::all_of(usual->second, isReadable) || std::ranges::none_of(usual->second, isJoined))
         return nullptr;
     const std::size_t width = usual->first;
     const TableRow *found = nullptr;

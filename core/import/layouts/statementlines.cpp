@@ -324,11 +324,12 @@ public:
             const std::string label = labelOf(cells);
             if (label.empty() || !labels.insert(label).second)
                 return false;
-            known += factOf(label) || m_table.text(cells.front()).ends_with(':') ? 1 : 0;
+            known += isKnown(label, cells) ? 1 : 0;
         }
-        const std::size_t parts = isApart ? 8 : 2;
-        return (isApart || titles == 0) && shared > 0 && known >= (isApart ? 1U : 2U) &&
-               parts * known >= labels.size() && hasNumbers(table, tableEnd);
+        return shared > 0 &&
+               (isApart ? known >= 1 && 8 * known >= labels.size()
+                        : known >= 2 && 2 * known >= labels.size() && titles == 0) &&
+               hasNumbers(table, tableEnd);
     }
 
 private:
@@ -355,6 +356,10 @@ private:
         const bool isOfReadings =
             !factOf(label) && tellsReadings(label) && cells.size() > 1 && cells[1].isNumber();
         return hasValue && !isOfReadings ? folded(withoutBlanks(label)) : std::string();
+    }
+
+    [[nodiscard]] bool isKnown(const std::string &label, const std::vector<TableCell> &cells) const {
+        return factOf(label) || m_table.text(cells.front()).ends_with(':');
     }
 
     /// "Conditions" above statements.

@@ -383,7 +383,11 @@ private:
             return false;
         if (m_clock && (cells.size() <= *m_clock || !clockTime(m_table.text(cells[*m_clock]))))
             return false;
-        // Words among the numbers: a heading that begins with a number, not a row with a remark.
+        return isOfNumbers(cells);
+    }
+
+    /// False for words among the numbers: a heading that begins with a number, not a row with a remark.
+    [[nodiscard]] bool isOfNumbers(std::span<const TableCell> cells) const {
         std::size_t numbers = 0;
         std::size_t words = 0;
         std::size_t remarks = 0; // "beam lost" in place of the reading

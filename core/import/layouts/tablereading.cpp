@@ -92,6 +92,23 @@ TablesOfAxis tablesOfAxis(const std::vector<std::string> &axes, const TableBody 
     return result;
 }
 
+/// Takes the table of the chosen axis, unless one was chosen, which has to have it. True if the axis decided.
+template <class Rank>
+bool takeTableOfAxis(const TablesOfAxis &tables, TableBody &body, bool isChosen, const Rank &rank,
+                     const Choices &choices) {
+    if (tables.wanted.empty())
+        return false;
+    if (!isChosen) {
+        body.table = *std::ranges::max_element(tables.wanted, {}, rank);
+        return tables.wanted.size() == 1 && tables.isOfSeveral;
+    }
+    const auto axes = tables.axesOf.find(body.table);
+    if (!tables.wanted.contains(body.table) && axes != tables.axesOf.end() && !axes->second.empty())
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), nameOfChoice("axis"),
+                      std::string(choices.chosen("axis")), axes->second);
+    return false;
+}
+
 /// Keeps the blocks of one table and lists the others: the chosen one (from 1), that of the chosen axis, by
 /// default the longest one with targets and readings. True if the axis decided.
 bool keepOneTable(const CellTable &table, TableBody &body, const Choices &choices) {
@@ -132,17 +149,10 @@ bool keepOneTable(const CellTable &table, TableBody &body, const Choices &choice
     const bool isChosen = chosen && *chosen >= 1 && *chosen <= sections.size();
     if (isChosen)
         body.table = *chosen - 1;
-    bool isOfAxis = false;
-    if (sections.size() > 1 && choices.isChosen("axis")) {
-        TablesOfAxis tables = tablesOfAxis(axesOfBlocks(table, body), body, kindOf, choices.chosen("axis"));
-        if (isChosen && !tables.wanted.empty() && !tables.wanted.contains(body.table) &&
-            !tables.axesOf[body.table].empty())
-            refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), nameOfChoice("axis"),
-                          std::string(choices.chosen("axis")), tables.axesOf[body.table]);
-        isOfAxis = !isChosen && tables.wanted.size() == 1 && tables.isOfSeveral;
-        if (!isChosen && !tables.wanted.empty())
-            body.table = *std::ranges::max_element(tables.wanted, {}, rank);
-    }
+    const bool isOfAxis =
+        sections.size() > 1 && choices.isChosen("axis") &&
+        takeTableOfAxis(tablesOfAxis(axesOfBlocks(table, body), body, kindOf, choices.chosen("axis")), body,
+                        isChosen, rank, choices);
     std::erase_if(body.blocks, [&](const TableBlock &block) { return kindOf[block.section] != body.table; });
     body.columns = body.sections[sections[body.table]];
     return isOfAxis;
