@@ -17,7 +17,7 @@ constexpr double radius = 100;
 /// Arcs about the origin, their points at `count` equal steps from the first angle to the last.
 class Circle {
 public:
-    DiagnosedCircle circle{"X", "Y", radius, std::nullopt, false, 0, {}, std::nullopt};
+    DiagnosedCircle circle{"X", "Y", radius, std::nullopt, false, 0, {}, std::nullopt, {}};
 
     void add(
         double from, double to, int count, double (*deviation)(double angle) = [](double) { return 0.0; }) {
