@@ -252,7 +252,8 @@ void TableReading::askForCutEnd() {
     };
     const std::size_t usual = row(rows.front()).count;
     bool areEqual = last.line == end.line && cells.back().isNumber();
-    std::set<std::size_t> sizes;
+    std::set<std::size_t> sizes; // decimals in this column
+    std::size_t alike = 0;       // numbers with as many
     bool areAll = true;
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
         const TableCell *above = cell(rows[i], at);
@@ -260,10 +261,16 @@ void TableReading::askForCutEnd() {
         areAll = areAll && row(rows[i]).count == usual;
         if (above)
             sizes.insert(decimals(table().text(*above)));
+        alike += static_cast<std::size_t>(
+            std::ranges::count_if(table().cells(row(rows[i])), [&](const TableCell &each) {
+                return sizes.contains(decimals(table().text(each)));
+            }));
     }
     const std::size_t size = decimals(table().text(cells.back()));
     const bool isOpen = cells.back().size > 1 && size == 1 && !sizes.contains(1);
-    const bool isShortNumber = areEqual && (isOpen || (sizes.size() == 1 && size < *sizes.begin()));
+    constexpr std::size_t fewestAlike = 4; // fewer may have as many decimals by chance
+    const bool isShorter = alike >= fewestAlike && sizes.size() == 1 && size < *sizes.begin();
+    const bool isShortNumber = areEqual && (isOpen || isShorter);
     const bool isShortLine = areAll && last.count < usual && cells.front().isNumber();
     if (isShortNumber || isShortLine)
         remarks
