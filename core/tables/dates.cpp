@@ -115,7 +115,7 @@ std::optional<std::string> timeOfDay(std::string_view text) {
         QRegularExpression::CaseInsensitiveOption);
     // "14h30", "14.30 Uhr"
     static const QRegularExpression named(
-        QStringLiteral(R"((?<![\d:.,])(\d{1,2})(?:\s?h\s?(\d{2})(?!\d)|\.(\d{2})\s?Uhr\b))"),
+        QStringLiteral(R"((?<![\d:.,])(\d{1,2})(?:\s?h\s?(\d{2})(?!\d|\s?min)|\.(\d{2})\s?Uhr\b))"),
         QRegularExpression::CaseInsensitiveOption);
     const QString line = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
     const auto match = pattern.match(line);
