@@ -783,7 +783,7 @@ void CellTable::moveBeside(std::size_t first, std::size_t end) {
             TableCell &cell = m_cells[row.first + c];
             const TableCell moved = std::exchange(cell, {0, cell.begin, 0, CellKind::empty});
             if (moved.kind != CellKind::empty)
-                m_cells.push_back(moved); // may move the cells: `cell` is not used behind it
+                m_cells.push_back(moved); // may move the cells: `cell` is not used afterwards
         }
         beside.count = static_cast<std::uint32_t>(m_cells.size()) - beside.first;
         if (!row.comment && row.count > first && row.count <= end)

@@ -181,10 +181,11 @@ private:
         const auto isRule = [](const Entry &entry) { // of Markdown
             return entry.text.find_first_not_of("-:") == std::string_view::npos;
         };
+        if (all.empty())
+            return false;
         if (std::ranges::all_of(all, isRule))
             return true;
-        if (all.empty() || all.front().kind != CellKind::text || all.size() > mostEntries ||
-            recurs(all.front().text))
+        if (all.front().kind != CellKind::text || all.size() > mostEntries || recurs(all.front().text))
             return false;
         const std::string_view label = all.front().text;
         return isSentence(all) || (label.ends_with(':') && all.size() > 1) || isCount(label) ||
@@ -194,7 +195,7 @@ private:
     /// "Machine under test; VF2; ; Dead path; 80 mm": labels, each with its value.
     [[nodiscard]] bool areLabels(std::size_t row) const {
         const std::vector<LabelledValue> said = labelledValuesIn(m_table, m_table.rows()[row]);
-        return std::ranges::all_of(said, [](const LabelledValue &one) {
+        return !said.empty() && std::ranges::all_of(said, [](const LabelledValue &one) {
             if (one.label.empty() || one.values.empty())
                 return false;
             // "Measuring instrument; XL-80"
