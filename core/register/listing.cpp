@@ -202,14 +202,19 @@ QString joinedText(const ListedMachine &machine, const Language &language) {
         {REPORT_TEXT("report", "joined with %1"), {marks.join(QStringLiteral(", ")).toStdString()}});
 }
 
+QStringList statedOf(const MachineFields &machine) {
+    QStringList parts{titleOf(machine), machine.manufacturer, machine.model, machine.serialNumber};
+    parts.removeAll(QString());
+    parts.removeDuplicates();
+    return parts;
+}
+
 QString evidenceOf(const ListedMachine &machine, const Language &language) {
-    QStringList parts{machine.title(), machine.manufacturer, machine.model, machine.serialNumber};
+    QStringList parts = statedOf(machine);
     if (!machine.isIdentified)
         parts << language.text(REPORT_TEXT("report", "not identified: no serial number"));
     if (!machine.joined.empty())
         parts << joinedText(machine, language);
-    parts.removeAll(QString());
-    parts.removeDuplicates();
     return QString::number(machine.number) + QStringLiteral(". ") + parts.join(QStringLiteral(" · "));
 }
 

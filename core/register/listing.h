@@ -22,6 +22,9 @@ namespace palmer {
 /// Returns what a machine is known by, after its number: "3. Lathe A · Maker · Type · not identified: …".
 [[nodiscard]] QString evidenceOf(const ListedMachine &machine, const Language &language);
 
+/// Returns name or type, maker, type and serial number of a machine, as far as stated, each once.
+[[nodiscard]] QStringList statedOf(const MachineFields &machine);
+
 /// Returns what was joined with a machine: "joined with 000-018, Lathe B".
 [[nodiscard]] QString joinedText(const ListedMachine &machine, const Language &language);
 

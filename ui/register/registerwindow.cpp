@@ -358,12 +358,8 @@ void RegisterWindow::separateMachine() {
     if (!chosen)
         return;
     QStringList names;
-    for (const MachineFields &joined : chosen->machine.joined) {
-        QStringList parts{titleOf(joined), joined.manufacturer, joined.model, joined.serialNumber};
-        parts.removeAll(QString());
-        parts.removeDuplicates();
-        names << parts.join(QStringLiteral(" · "));
-    }
+    for (const MachineFields &joined : chosen->machine.joined)
+        names << statedOf(joined).join(QStringLiteral(" · "));
     askForMachine(tr("Separate machines"),
                   tr("%1\nis not the same machine as:").arg(evidenceOf(chosen->machine, windowLanguage())),
                   tr("&Separate"), names, [this, machine = chosen->machine](std::size_t i) {
