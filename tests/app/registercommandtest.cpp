@@ -64,6 +64,7 @@ private slots:
     void wrongUsage_data();
     void wrongUsage();
     void joinAndInterval();
+    void whatWasJoinedIsSeparated();
     void whatIsSaidOfMachinesFindsAPlace();
     void theListIsTheTable();
     void pruningMostOfAFolderWantsForce();
@@ -324,6 +325,8 @@ void RegisterCommandTest::joinAndInterval() {
     const QJsonObject kept = QJsonDocument::fromJson(contents(folder + "/palmer-machines.json")).object();
     QCOMPARE(kept["format"].toString(), QString("palmer machines"));
     QCOMPARE(kept["machines"].toArray().size(), 1);
+    QVERIFY(
+        reg({"list"}).out.startsWith("1. Machine 001 · Maker A · CU 1000 · 000-001 · joined with 000-002\n"));
     QProcess check;
     check.start("python3", {"-c",
                             "import json, sys, jsonschema; jsonschema.validate(json.load(open(sys.argv[1])), "
@@ -346,6 +349,40 @@ void RegisterCommandTest::joinAndInterval() {
         QVERIFY(other->waitForFinished(patience) && other->exitCode() == 0);
     QCOMPARE(contents(files() + "/palmer-machines.json").count("\"interval\": 12"), 4);
     QVERIFY(QFile::remove(files() + "/palmer-machines.json"));
+}
+
+/// What was joined is separated again, in the file too, by the name or number of its own.
+void RegisterCommandTest::whatWasJoinedIsSeparated() {
+    const QString folder = m_dir->filePath("parted");
+    QVERIFY(QDir().mkpath(folder));
+    for (const char *machine : {"001", "002"})
+        QVERIFY(QFile::copy(files() + QString("/machine %1/2018-11-20 X.palmer").arg(machine),
+                            folder + QString("/%1.palmer").arg(machine)));
+    const auto machines = [&] { return reg({"list"}).out.count(" · Maker "); };
+    QCOMPARE(reg({"scan", folder}).code, 0);
+    const QByteArray before = reg({"list"}).out;
+    for (const char *name : {"machine 002", "000-002"}) {
+        QCOMPARE(reg({"join", "000-001", "000-002"}).code, 0);
+        QCOMPARE(machines(), 1);
+        const CliResult none = reg({"separate", "000-001"}); // the others were joined with it
+        QCOMPARE(none.code, 2);
+        QCOMPARE(none.err.count('\n'), 1);
+        QCOMPARE(machines(), 1);
+        const CliResult result = reg({"separate", name});
+        QVERIFY2(result.code == 0 && (result.out + result.err).isEmpty(), result.err);
+        QCOMPARE(reg({"list"}).out, before);
+        QCOMPARE(reg({"scan", folder, "--rebuild"}).code, 0);
+        QCOMPARE(reg({"list"}).out, before);
+    }
+    // A file that is no list any more stays as it is.
+    QCOMPARE(reg({"join", "000-001", "000-002"}).code, 0);
+    const QByteArray damaged = R"({"format": "palmer machines", "machines": [{"joined": "x"}]})";
+    write(folder + "/palmer-machines.json", damaged);
+    const CliResult refused = reg({"separate", "000-002"});
+    QCOMPARE(refused.code, 3);
+    QVERIFY2(refused.err.contains("palmer-machines.json"), refused.err);
+    QCOMPARE(contents(folder + "/palmer-machines.json"), damaged);
+    QCOMPARE(machines(), 1);
 }
 
 /// Where the folder of the files cannot be written, it is said where else that is kept.
