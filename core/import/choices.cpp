@@ -59,15 +59,15 @@ std::span<const ImportWord> kindWords() {
     }();
     return words;
 }
-constexpr auto layoutWords =
-    std::to_array<ImportWord>({{"targetsDown", REPORT_TEXT("report", "targets down, runs across")},
-                               {"runsDown", REPORT_TEXT("report", "runs down, targets across")},
-                               {"list", REPORT_TEXT("report", "one reading a line")},
-                               {"xy", REPORT_TEXT("report", "x and y")},
-                               {"angleRadius", REPORT_TEXT("report", "angle and radius")},
-                               {"angleDeviation", REPORT_TEXT("report", "angle and radial deviation")},
-                               {"deviations", REPORT_TEXT("report", "radial deviations alone")},
-                               {"series", REPORT_TEXT("report", "values over time")}});
+constexpr auto layoutWords = std::to_array<ImportWord>(
+    {{"targetsDown", REPORT_TEXT("report", "targets down, runs across"), Kind::positioning},
+     {"runsDown", REPORT_TEXT("report", "runs down, targets across"), Kind::positioning},
+     {"list", REPORT_TEXT("report", "one reading a line"), Kind::positioning},
+     {"xy", REPORT_TEXT("report", "x and y"), Kind::circular},
+     {"angleRadius", REPORT_TEXT("report", "angle and radius"), Kind::circular},
+     {"angleDeviation", REPORT_TEXT("report", "angle and radial deviation"), Kind::circular},
+     {"deviations", REPORT_TEXT("report", "radial deviations alone"), Kind::circular},
+     {"series", REPORT_TEXT("report", "values over time"), Kind::drift}});
 constexpr auto directionWords =
     std::to_array<ImportWord>({{"stated", REPORT_TEXT("report", "as the file says")},
                                {"reversed", REPORT_TEXT("report", "the other way round than the file says")},

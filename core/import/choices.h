@@ -26,6 +26,7 @@ using ImportOptions = std::map<std::string, std::string, std::less<>>;
 struct ImportWord {
     const char *word = nullptr;
     Text name;
+    std::optional<Kind> kind = {}; ///< of the only tests that it fits; null: of all
 };
 
 enum class ImportValue { word, number, text };

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/question.h"
 
+#include "kernel/words/unit.h"
+
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
 
@@ -16,33 +17,25 @@ Asked askedAs(std::string_view choice) {
     return key ? key->asked : Asked::never;
 }
 
-/// Words of a choice that fit tests of one kind only.
-struct FittingWords {
-    Kind kind;
-    std::string_view choice;
-    std::string_view words; ///< with a blank around each
-};
-
-constexpr std::array fittingWords{
-    FittingWords{Kind::positioning, "layout", " targetsDown runsDown list "},
-    FittingWords{Kind::circular, "layout", " xy angleRadius angleDeviation deviations "},
-    FittingWords{Kind::drift, "layout", " series "},
-    FittingWords{Kind::circular, "unit", " mm um nm cm m in uin "},
-    FittingWords{Kind::circular, "positionUnit", " deg mdeg arcmin arcsec rad mrad urad gon "},
-};
+/// False for a word that a test of the kind cannot have: circles have lengths at angles.
+bool fits(const ImportWord &word, std::string_view choice, Kind kind) {
+    if (word.kind)
+        return word.kind == kind;
+    const Unit *unit = kind == Kind::circular ? unitOf(word.word) : nullptr;
+    if (!unit || (choice != "unit" && choice != "positionUnit"))
+        return true;
+    return unit->kind == (choice == "unit" ? UnitKind::length : UnitKind::angle);
+}
 
 /// The words of a choice that a test of the kind can have; empty if all fit.
 std::vector<std::string> fittingAnswers(std::string_view choice, std::optional<Kind> kind) {
-    const auto *const row = std::ranges::find_if(
-        fittingWords, [&](const FittingWords &each) { return kind == each.kind && choice == each.choice; });
+    const std::span<const ImportWord> words = findImportKey(choice)->words;
     std::vector<std::string> answers;
-    if (row == fittingWords.end())
-        return answers;
-    for (const ImportWord &word : findImportKey(choice)->words) {
-        if (row->words.find(' ' + std::string(word.word) + ' ') != std::string_view::npos)
+    for (const ImportWord &word : words) {
+        if (!kind || fits(word, choice, *kind))
             answers.emplace_back(word.word);
     }
-    return answers;
+    return answers.size() == words.size() ? std::vector<std::string>() : answers;
 }
 
 bool isGuessed(const Remark &remark, std::span<const ImportChoice> choices) {
