@@ -11106,6 +11106,10 @@
         <translation>attendu&#xa0;: un pourcentage de 0 à 100</translation>
     </message>
     <message>
+        <source>expected 0 or a coefficient in µm/(m·°C), such as 11.5 for steel</source>
+        <translation>attendu&#xa0;: 0 ou un coefficient en µm/(m·°C), par exemple 11,5 pour l’acier</translation>
+    </message>
+    <message>
         <source>Impossible value for “%1”: %2.</source>
         <translation>Valeur impossible pour «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
     </message>

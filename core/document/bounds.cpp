@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace palmer {
@@ -57,6 +58,8 @@ constexpr std::array allPossible{
              REPORT_TEXT("report", "expected a number that is not negative")},
     Possible{percentage, [](double value) { return value >= 0 && value <= 100; },
              REPORT_TEXT("report", "expected a percentage from 0 to 100")},
+    Possible{coefficient, [](double value) { return value == 0 || std::abs(value) >= leastOfExpansion; },
+             REPORT_TEXT("report", "expected 0 or a coefficient in µm/(m·°C), such as 11.5 for steel")},
 };
 
 /// Returns the violated bounds, or null if the value is within all of them.

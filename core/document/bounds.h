@@ -21,12 +21,13 @@ inline constexpr std::size_t mostOfText = 65536;    ///< characters of remarks, 
 inline constexpr double mostOfReading = 1e6;        ///< magnitude of a reading, mm (rotary: degrees)
 inline constexpr double leastTemperature = -273.15; ///< °C
 inline constexpr double mostOfExpansion = 100;      ///< magnitude of a coefficient, µm/(m·°C)
+inline constexpr double leastOfExpansion = 0.001;   ///< a smaller one other than 0 is one per °C
 
 /// Returns why a number exceeds the bounds of these Demand bits; null if it does not.
 [[nodiscard]] std::optional<Message> beyondBounds(double value, unsigned demands);
 
 /// Returns what is expected instead of a value that its statement cannot have by the bits `positive`,
-/// `notNegative` and `percentage`; null if it can.
+/// `notNegative`, `percentage` and `coefficient`; null if it can.
 [[nodiscard]] std::optional<Text> expectedInstead(double value, unsigned demands);
 
 /// Returns the number of characters as in JSON Schema: code points.

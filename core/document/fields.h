@@ -231,8 +231,8 @@ void fields(Visit &visit, T &sensor) {
 
 template <class Visit, Like<Expansion> T>
 void fields(Visit &visit, T &expansion) {
-    visit("machine", expansion.machine, coefficient | shared | FileUnit::expansion);
-    visit("instrument", expansion.instrument, coefficient | alike | FileUnit::expansion);
+    visit("machine", expansion.machine, coefficient | questioned | shared | FileUnit::expansion);
+    visit("instrument", expansion.instrument, coefficient | questioned | alike | FileUnit::expansion);
 }
 
 template <class Visit, Like<Conditions> T>

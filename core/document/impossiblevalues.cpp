@@ -26,6 +26,10 @@ struct NamedField {
     Text name;
 };
 constexpr std::array namedFields{
+    NamedField{"conditions.expansion.machine",
+               REPORT_TEXT("report", "coefficient of thermal expansion of the machine")},
+    NamedField{"conditions.expansion.instrument",
+               REPORT_TEXT("report", "coefficient of thermal expansion of the instrument")},
     NamedField{"targetChoice.interval", REPORT_TEXT("report", "Nominal interval")},
     NamedField{"targetChoice.period", REPORT_TEXT("report", "Period of the error")},
     NamedField{"referenceLength.expandedUncertainty", inputs::referenceLength},

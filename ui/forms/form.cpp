@@ -288,6 +288,9 @@ Field *Form::addNumber(const Topic &topic, Quantity quantity, Member<Amount> mem
             return {{}, tr("not between 0 and 100")};
         if (const auto beyond = entry.value ? beyondBounds(*entry.value, boundsOf(allowed)) : std::nullopt)
             return {{}, m_language.sentence(*beyond)};
+        if (const auto expected =
+                entry.value ? expectedInstead(*entry.value, boundsOf(allowed)) : std::nullopt)
+            return {{}, m_language.sentence({*expected, {}})};
         return {shown(entry.value), {}};
     });
     last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };

@@ -54,7 +54,7 @@ private:
     void spoil(std::optional<T> &member, unsigned demands) {
         if constexpr (std::is_same_v<T, double>) {
             if ((demands & questioned) != 0) {
-                member = -1;
+                member = (demands & coefficient) != 0 ? 1.15e-5 : -1;
                 ++m_spoiled;
             }
         } else if (member) {
@@ -113,7 +113,9 @@ private slots:
                     QVERIFY2(!name->empty(), impossible.place.c_str());
                 const QString sentence = findingText(impossible.finding, Language(Language::Id::english));
                 QVERIFY2(sentence.startsWith("Impossible value"), qPrintable(sentence));
-                QVERIFY(sentence.contains("−1") || sentence.contains(" fall from "));
+                QVERIFY2(sentence.contains("−1") || sentence.contains(" fall from ") ||
+                             sentence.contains("0.0000115"),
+                         qPrintable(sentence));
             }
             all += spoiler.spoiled();
         }
@@ -144,6 +146,17 @@ private slots:
             "instrument", [](PositioningMeasurement &m) { m.uncertainty.device.fixed = -1; },
             "Impossible value for “fixed part of the instrument”: −1 µm.",
             "Valeur impossible pour « part fixe de l’instrument » : −1 µm.");
+        row(
+            "expansion", [](PositioningMeasurement &m) { m.conditions.common.expansion.machine = 11.5e-6; },
+            "Impossible value for “coefficient of thermal expansion of the machine”: 0.0000115 µm/(m·°C).",
+            "Valeur impossible pour « coefficient de dilatation thermique de la machine » : "
+            "0,0000115 µm/(m·°C).");
+        row(
+            "expansion of glass ceramics",
+            [](PositioningMeasurement &m) {
+                m.conditions.common.expansion = {0.02, 0};
+            },
+            "", "");
         row(
             "times",
             [](PositioningMeasurement &m) {

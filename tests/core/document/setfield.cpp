@@ -371,6 +371,8 @@ private slots:
         row("tests[0].conditions.feed", "0", "expected a number greater than 0");
         row("tests[0].conditions.approachDistance", "-1", "expected a number that is not negative");
         row("tests[0].uncertainty.device.fixed", "-1", "expected a number that is not negative");
+        row("tests[0].conditions.expansion.machine", "11.5e-6",
+            "expected 0 or a coefficient in µm/(m·°C), such as 11.5 for steel");
         row("tests[0].uncertainty.temperatureRange.machine", "-1", "expected a number that is not negative");
         row("tests[1].uncertainty.displacement.expanded", "-0,5", "expected a number that is not negative");
         row("tests[1].feed", "-1000", "expected a number greater than 0");

@@ -466,6 +466,8 @@ private slots:
         QCOMPARE(refusalOf(u"sensors"_s, u"-300"_s), u"Expected a temperature of −273.15 °C or more."_s);
         QCOMPARE(refusalOf(u"expansion"_s, u"117"_s),
                  u"Expected a coefficient of expansion between −100 and 100 µm/(m·°C)."_s);
+        QCOMPARE(refusalOf(u"expansion"_s, u"0.0000115"_s),
+                 u"Expected 0 or a coefficient in µm/(m·°C), such as 11.5 for steel."_s);
     }
 
     void noNumberStaysInRed() {
