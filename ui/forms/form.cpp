@@ -30,6 +30,7 @@
 #include <QTimer>
 #include <QWidgetAction>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -258,8 +259,37 @@ Field *Form::addLongText(const Topic &topic, Member<std::string> member, int wei
     return addText(topic, std::move(member), weight, Field::Kind::longText);
 }
 
-unsigned Form::boundsOf(Allowed allowed) {
-    return allowed == Allowed::celsius ? celsius : allowed == Allowed::coefficient ? coefficient : nothing;
+QString Form::refusalOf(double value, Allowed allowed) const {
+    struct Rule {
+        Allowed allowed;
+        bool (*holds)(double);
+        const char *refusal;
+    };
+    constexpr auto isPositive = [](double number) { return number > 0; };
+    constexpr auto isWhole = [](double number) {
+        return std::trunc(number) == number && std::abs(number) <= 1e9;
+    };
+    static constexpr std::array rules{
+        Rule{Allowed::positive, isPositive, QT_TR_NOOP("not greater than 0")},
+        Rule{Allowed::counting, isPositive, QT_TR_NOOP("not greater than 0")},
+        Rule{Allowed::notNegative, [](double number) { return number >= 0; },
+             QT_TR_NOOP("a negative number")},
+        Rule{Allowed::whole, isWhole, QT_TR_NOOP("not a whole number")},
+        Rule{Allowed::counting, isWhole, QT_TR_NOOP("not a whole number")},
+        Rule{Allowed::percentage, [](double number) { return number >= 0 && number <= 100; },
+             QT_TR_NOOP("not between 0 and 100")},
+    };
+    for (const Rule &rule : rules) {
+        if (rule.allowed == allowed && !rule.holds(value))
+            return tr(rule.refusal);
+    }
+    const unsigned demands = allowed == Allowed::celsius       ? celsius
+                             : allowed == Allowed::coefficient ? coefficient
+                                                               : nothing;
+    if (const auto beyond = beyondBounds(value, demands))
+        return m_language.sentence(*beyond);
+    const auto expected = expectedInstead(value, demands);
+    return expected ? m_language.sentence(*expected, {}) : QString();
 }
 
 Field *Form::addNumber(const Topic &topic, Quantity quantity, Member<Amount> member, int weight,
@@ -275,22 +305,9 @@ Field *Form::addNumber(const Topic &topic, Quantity quantity, Member<Amount> mem
         const NumberEntry entry = enteredNumber(typed, quantity, m_language.units());
         if (entry.refusal)
             return {{}, m_language.text(*entry.refusal)};
-        if (entry.value && allowed == Allowed::positive && !(*entry.value > 0))
-            return {{}, tr("not greater than 0")};
-        if (entry.value && allowed == Allowed::notNegative && *entry.value < 0)
-            return {{}, tr("a negative number")};
-        if (entry.value && allowed == Allowed::counting && !(*entry.value > 0))
-            return {{}, tr("not greater than 0")};
-        if (entry.value && (allowed == Allowed::whole || allowed == Allowed::counting) &&
-            (std::trunc(*entry.value) != *entry.value || std::abs(*entry.value) > 1e9))
-            return {{}, tr("not a whole number")};
-        if (entry.value && allowed == Allowed::percentage && (*entry.value < 0 || *entry.value > 100))
-            return {{}, tr("not between 0 and 100")};
-        if (const auto beyond = entry.value ? beyondBounds(*entry.value, boundsOf(allowed)) : std::nullopt)
-            return {{}, m_language.sentence(*beyond)};
-        if (const auto expected =
-                entry.value ? expectedInstead(*entry.value, boundsOf(allowed)) : std::nullopt)
-            return {{}, m_language.sentence({*expected, {}})};
+        if (const QString refusal = entry.value ? refusalOf(*entry.value, allowed) : QString();
+            !refusal.isEmpty())
+            return {{}, refusal};
         return {shown(entry.value), {}};
     });
     last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };

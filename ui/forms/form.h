@@ -213,7 +213,8 @@ private:
         std::size_t begin = 0;
     };
 
-    [[nodiscard]] static unsigned boundsOf(Allowed allowed); ///< Demand
+    /// Why a number cannot be entered; empty if it can.
+    [[nodiscard]] QString refusalOf(double value, Allowed allowed) const;
     Field *addWordsOf(const Topic &topic, Member<std::size_t> member, int weight);
     Field *addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int> member, bool none, int weight,
                        Field::Kind kind = Field::Kind::choice);
