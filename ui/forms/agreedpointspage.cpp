@@ -305,14 +305,19 @@ void AgreedPointsPage::setText(const AgreementPoint &point, const QString &text)
 }
 
 void AgreedPointsPage::copyFromConditions(const AgreementPoint &point) {
-    m_model.edit(QT_TRANSLATE_NOOP("edits", "take an agreement from the conditions"),
-                 [&](Document &document) {
-                     editTest(document, m_test, [&](Test &test) {
-                         const QString text = agreedTextFromConditions(test, point.point, m_language);
-                         setAgreedPoint(test, point.point, AgreementState::agreed, text.toStdString());
-                         takeAgreedValue(test, point.point);
-                     });
-                 });
+    m_model.edit(
+        QT_TRANSLATE_NOOP("edits", "take an agreement from the conditions"), [&](Document &document) {
+            editTest(document, m_test, [&](Test &test) {
+                const QString text = agreedTextFromConditions(test, point.point, m_language);
+                setAgreedPoint(test, point.point, AgreementState::agreed, text.toStdString());
+                takeAgreedValue(test, point.point);
+                // A number is printed in the language of each report, a text as it is.
+                AgreedPoint &taken = *std::ranges::find(test.agreedPoints, point.point, &AgreedPoint::point);
+                const auto quantity = agreedQuantity(point.point, test);
+                if (taken.value && quantity && text == m_language.quantity(*taken.value, *quantity))
+                    taken.text.clear();
+            });
+        });
 }
 
 void AgreedPointsPage::show(const EvaluatedDocument &evaluated, std::size_t test) {

@@ -843,6 +843,20 @@ private slots:
                 editTest(document, 0, [&](Test &test) { test.limits["A"].source = origin; });
             });
         };
+    /// A text would be printed besides, in the decimals of the window whatever the language of the report.
+    void theNumberOfAnAgreementIsTakenAsNumber() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).conditions.gradientPerHour = 0.4;
+        Edited<AgreedPointsPage> edited(documentOf(test));
+        edited.page.setLanguage(Language(Language::Id::french));
+        auto *take = button(edited.page, "take.gradient");
+        take->click();
+        QVERIFY(edited.test().agreedPoints.at(0).value == 0.4);
+        QCOMPARE(edited.test().agreedPoints[0].text, std::string());
+        QCOMPARE(edited.test().agreedPoints[0].state, AgreementState::agreed);
+        QVERIFY(!take->isVisibleTo(&edited.page));
+    }
+
         setOrigin("contract");
         edited.type(u"limits"_s, u"10"_s, 3);
         QCOMPARE(edited.test().limits.size(), std::size_t(2));
