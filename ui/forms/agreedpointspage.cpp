@@ -17,6 +17,7 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
+#include "ui/withunit.h"
 
 #include <QEvent>
 #include <QKeyEvent>
@@ -445,8 +446,8 @@ std::vector<AgreedPointsPage::Found> AgreedPointsPage::found() const {
         const bool settled = agreed && agreed->state != AgreementState::notAgreed;
         QStringList said;
         if (row.value && agreed && agreed->value)
-            said << row.value->valueText() + QChar(QChar::Nbsp) +
-                        m_language.unit(*agreedQuantity(row.point->point, test));
+            said << withUnit(row.value->valueText(),
+                             m_language.unit(*agreedQuantity(row.point->point, test)));
         if (const QString text = row.text->text().simplified(); !text.isEmpty())
             said << text;
         if (said.isEmpty())

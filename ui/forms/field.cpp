@@ -8,6 +8,7 @@
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
+#include "ui/withunit.h"
 
 #include <QAbstractScrollArea>
 #include <QCheckBox>
@@ -180,7 +181,7 @@ int Field::choice() const {
 }
 
 QString Field::refusal() const {
-    return m_refusal.isEmpty() ? QString() : m_reason->text();
+    return isRefused() ? refusalText() : QString();
 }
 
 void Field::setLabel(const QString &label) {
@@ -447,11 +448,11 @@ void Field::placeReason() {
 
 /// Why the text is invalid, and which value is kept instead.
 QString Field::refusalText() const {
-    const QString reason = capitalised(m_refusal);
+    const QString now = read(text()).refusal; // in the language of now
+    const QString reason = capitalised(now.isEmpty() ? m_refusal : now);
     if (m_shown.isEmpty())
         return tr("%1.").arg(reason);
-    const QString kept = m_unit->text().isEmpty() ? m_shown : m_shown + QChar(u'\u00A0') + m_unit->text();
-    return tr("%1; %2 kept.").arg(reason, beginningOf(kept));
+    return tr("%1; %2 kept.").arg(reason, beginningOf(withUnit(m_shown, m_unit->text())));
 }
 
 /// Accessible description.

@@ -17,6 +17,7 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
+#include "ui/withunit.h"
 
 #include <QAction>
 #include <QCalendarWidget>
@@ -767,10 +768,7 @@ QString Form::valuesOf(const Section &section) const {
             continue;
         const bool answers = entry.words.size() > 1 && std::string_view(entry.words[1].source) == "yes";
         const QString unit = entry.quantity ? m_language.unit(*entry.quantity) : QString();
-        const bool apart = !unit.isEmpty() && unit != u"°" && unit != u"″"; // as in Language::quantity
-        values << (answers ? tr("%1: %2").arg(word(entry.label), text)
-                   : apart ? text + QChar(u'\u00A0') + unit
-                           : text + unit);
+        values << (answers ? tr("%1: %2").arg(word(entry.label), text) : withUnit(text, unit));
     }
     return values.join(QStringLiteral(" · "));
 }

@@ -12,6 +12,7 @@
 #include "ui/results/resultsdelegate.h"
 #include "ui/theme.h"
 #include "ui/verdictmark.h"
+#include "ui/withunit.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -180,11 +181,10 @@ void ResultsPanel::copyLine(int row) {
         return;
     const ResultTable &table = m_model.table();
     const ResultLine &line = m_model.line(row);
-    const auto with = [&](const QString &number) { return number + QChar(u'\u00A0') + table.unit; };
-    QStringList parts{line.symbol.plain() + QStringLiteral(" = ") + with(line.cell("value"))};
+    QStringList parts{line.symbol.plain() + QStringLiteral(" = ") + withUnit(line.cell("value"), table.unit)};
     if (const QString &uncertainty = line.cell("expandedUncertainty");
         !uncertainty.isEmpty() && uncertainty != QStringLiteral("–")) {
-        parts << QStringLiteral("U = ") + with(uncertainty);
+        parts << QStringLiteral("U = ") + withUnit(uncertainty, table.unit);
         parts << table.coverage;
     }
     parts.removeAll(QString());

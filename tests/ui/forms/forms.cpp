@@ -19,6 +19,7 @@
 #include "ui/model/editname.h"
 #include "ui/model/evaluator.h"
 #include "ui/model/templatestore.h"
+#include "ui/windowlanguage.h"
 
 #include <QAccessible>
 #include <QCheckBox>
@@ -492,6 +493,30 @@ private slots:
     }
 
     /// A text longer than a test file holds is refused with a sentence, never cut; the one before is kept.
+    void aDegreeStandsAtItsNumber() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).axis.motion = Motion::rotary;
+        measurement(test).axis.travel = 360;
+        Edited<ConditionsPage> edited(documentOf(test));
+        edited.page.setLanguage(Language(Language::Id::english));
+        Field *travel = edited.enter(u"travel"_s);
+        QTest::keyClicks(travel->edit(), u"all"_s);
+        QCOMPARE(travel->refusal(), u"Not a number; 360° kept."_s);
+    }
+
+    void aRefusalFollowsTheLanguage() {
+        Edited<ConditionsPage> edited(documentOf(example1988("ISO 230-2:2006")));
+        edited.page.setLanguage(Language(Language::Id::english));
+        Field *pressure = edited.enter(u"airPressure"_s);
+        QTest::keyClicks(pressure->edit(), u"12O"_s);
+        QCOMPARE(pressure->refusal(), u"Not a number."_s);
+        setWindowLanguage(Language::Id::french);
+        edited.page.setLanguage(Language(Language::Id::french));
+        QCoreApplication::processEvents();
+        QCOMPARE(pressure->refusal(), u"Pas un nombre."_s);
+        setWindowLanguage(Language::Id::english);
+    }
+
     void aTextTooLongStaysInRed_data() {
         QTest::addColumn<int>("index");
         QTest::addColumn<int>("most");
