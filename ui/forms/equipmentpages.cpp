@@ -225,7 +225,7 @@ MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *pa
                   [](const Amount &year) {
                       return year ? std::optional<int>(static_cast<int>(*year)) : std::nullopt;
                   }),
-              1, Allowed::whole);
+              1, Allowed::counting);
     beginRow();
     addText("controller", ofMachine<&Machine::controller>());
     addText({"", QT_TR_NOOP("Location")}, ofMachine<&Machine::location>());

@@ -32,6 +32,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <QStyleOptionButton>
 #include <QTest>
 #include <QToolButton>
 #include <QUndoStack>
@@ -492,7 +493,6 @@ private slots:
         QVERIFY(!edited.model.undoStack()->canUndo());
     }
 
-    /// A text longer than a test file holds is refused with a sentence, never cut; the one before is kept.
     void aDegreeStandsAtItsNumber() {
         Test test = example1988("ISO 230-2:2006");
         measurement(test).axis.motion = Motion::rotary;
@@ -517,6 +517,7 @@ private slots:
         setWindowLanguage(Language::Id::english);
     }
 
+    /// A text longer than a test file holds is refused with a sentence, never cut; the one before is kept.
     void aTextTooLongStaysInRed_data() {
         QTest::addColumn<int>("index");
         QTest::addColumn<int>("most");
@@ -842,6 +843,20 @@ private slots:
         QVERIFY(!take->isVisibleTo(&edited.page));
     }
 
+    /// A text would be printed besides, in the decimals of the window whatever the language of the report.
+    void theNumberOfAnAgreementIsTakenAsNumber() {
+        Test test = example1988("ISO 230-2:2006");
+        measurement(test).conditions.gradientPerHour = 0.4;
+        Edited<AgreedPointsPage> edited(documentOf(test));
+        edited.page.setLanguage(Language(Language::Id::french));
+        auto *take = button(edited.page, "take.gradient");
+        take->click();
+        QVERIFY(edited.test().agreedPoints.at(0).value == 0.4);
+        QCOMPARE(edited.test().agreedPoints[0].text, std::string());
+        QCOMPARE(edited.test().agreedPoints[0].state, AgreementState::agreed);
+        QVERIFY(!take->isVisibleTo(&edited.page));
+    }
+
     void limitsAreEntered() {
         Edited<LimitsPage> edited(example());
         edited.type(u"limits"_s, u"20,5"_s); // µm
@@ -868,20 +883,6 @@ private slots:
                 editTest(document, 0, [&](Test &test) { test.limits["A"].source = origin; });
             });
         };
-    /// A text would be printed besides, in the decimals of the window whatever the language of the report.
-    void theNumberOfAnAgreementIsTakenAsNumber() {
-        Test test = example1988("ISO 230-2:2006");
-        measurement(test).conditions.gradientPerHour = 0.4;
-        Edited<AgreedPointsPage> edited(documentOf(test));
-        edited.page.setLanguage(Language(Language::Id::french));
-        auto *take = button(edited.page, "take.gradient");
-        take->click();
-        QVERIFY(edited.test().agreedPoints.at(0).value == 0.4);
-        QCOMPARE(edited.test().agreedPoints[0].text, std::string());
-        QCOMPARE(edited.test().agreedPoints[0].state, AgreementState::agreed);
-        QVERIFY(!take->isVisibleTo(&edited.page));
-    }
-
         setOrigin("contract");
         edited.type(u"limits"_s, u"10"_s, 3);
         QCOMPARE(edited.test().limits.size(), std::size_t(2));
@@ -1197,6 +1198,43 @@ private slots:
                 }
             }
         }
+    }
+
+    /// The word "no" belongs to the statement.
+    void answersOfNoAreWhole() {
+        for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+            setWindowLanguage(language);
+            Test test = example1988("ISO 230-2:2006");
+            Conditions &common = measurement(test).conditions.common;
+            common.complete = common.stabilised = common.shielded = common.unloaded = common.levelled = false;
+            Edited<ConditionsPage> edited(documentOf(test));
+            edited.page.setLanguage(windowLanguage());
+            edited.page.resize(684, 900); // at 1366 pixels
+            QCoreApplication::processEvents();
+            for (const Field *field : edited.page.findChildren<Field *>()) {
+                const auto *box = qobject_cast<const QCheckBox *>(field->edit());
+                if (!box || !box->isVisible())
+                    continue;
+                QStyleOptionButton option;
+                option.initFrom(box);
+                const QRect place = box->style()->subElementRect(QStyle::SE_CheckBoxContents, &option, box);
+                QVERIFY2(box->fontMetrics().horizontalAdvance(box->text()) <= place.width(),
+                         qPrintable(box->text()));
+            }
+        }
+        setWindowLanguage(Language::Id::english);
+    }
+
+    void aYearIsNotNegative() {
+        Edited<MachinePage> edited(example());
+        for (Field *field : edited.page.findChildren<Field *>()) {
+            if (field->edit()->accessibleName() != u"Year of construction"_s)
+                continue;
+            field->edit()->setFocus();
+            QTest::keyClicks(field->edit(), u"-5"_s);
+            QVERIFY(field->isRefused());
+        }
+        QVERIFY(!edited.model.document()->machine.year);
     }
 
     void declarationsAreTemplates() {
