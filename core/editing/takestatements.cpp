@@ -62,12 +62,14 @@ void forgetDay(Test &test) {
     test.date.reset();
     test.time.reset();
     test.declaredAccordance = {};
+    test.remarks.clear();
     if (Conditions *conditions = conditionsOf(test)) {
         for (Sensor &sensor : conditions->sensors)
             sensor = {sensor.measures, sensor.position, {}, {}, {}};
     }
     if (auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement)) {
         measurement->conditions.gradientPerHour.reset();
+        measurement->conditions.gradientHoursBefore.reset();
         measurement->conditions.airPressure.reset();
         measurement->conditions.airHumidity.reset();
     }

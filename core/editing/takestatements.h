@@ -18,7 +18,7 @@ namespace palmer {
 void takeStatements(Test &test, const Test &from);
 
 /// Removes what is measured or stated on the day of a test: date, time, temperatures, gradient, pressure,
-/// humidity, drift, the declaration on its accordance.
+/// humidity, drift, the declaration on its accordance, remarks.
 void forgetDay(Test &test);
 
 /// Fills what is not stated of the machine and of test `index` with what test `from` of the same machine

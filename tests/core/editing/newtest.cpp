@@ -62,7 +62,10 @@ private slots:
         Test test = newTest(wanted());
         test.title = "as found";
         test.date = "2026-11-21";
+        test.remarks = "a crane passed during run 3";
         auto &m = std::get<PositioningMeasurement>(test.measurement);
+        m.conditions.gradientPerHour = 0.4;
+        m.conditions.gradientHoursBefore = 12;
         setReading(m, {0, 0}, 0.001);
         setRefused(m, {0, 1}, "?");
         insertTest(document, 0, test);
@@ -73,6 +76,8 @@ private slots:
         const auto &empty = std::get<PositioningMeasurement>(document.tests[1]->measurement);
         QCOMPARE(firstMissing(empty), firstOfCycle(empty));
         QVERIFY(empty.refused.empty() && !document.tests[1]->date);
+        QCOMPARE(document.tests[1]->remarks, std::string());
+        QVERIFY(!empty.conditions.gradientPerHour && !empty.conditions.gradientHoursBefore);
         QVERIFY(readDocument(writeDocument(document)) == document);
     }
 
