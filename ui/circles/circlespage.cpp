@@ -507,7 +507,10 @@ void CirclesPage::setRange(std::size_t arc, std::optional<Interval> range, const
     edit(
         QT_TRANSLATE_NOOP("edits", "change the evaluated range of an arc"),
         [&](CircularMeasurement &m) {
-            if (arc < m.arcs.size())
+            if (arc >= m.arcs.size())
+                return;
+            m.arcs[arc].evaluated.reset();
+            if (range != iso230_4::evaluatedRange(m.arcs[arc])) // the whole arc needs no statement
                 m.arcs[arc].evaluated = range;
         },
         mergeKey);

@@ -213,6 +213,16 @@ private slots:
         QCOMPARE(shown.model.undoStack()->index(), 0);
     }
 
+    /// On the way to "400" there were ranges of an arc for which none was stated.
+    void aRefusedRangeStatesNothing() {
+        Shown shown;
+        shown.page.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&shown.page));
+        shown.type("evaluatedFrom", u"400"_s);
+        QCOMPARE(shown.page.refusedTexts(), QStringList{u"400"_s});
+        QVERIFY(!shown.circles().arcs[0].evaluated);
+    }
+
     void aRangeMovesBeyondItself() {
         Shown shown;
         shown.type("evaluatedTo", u"90"_s);
