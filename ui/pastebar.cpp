@@ -92,7 +92,8 @@ void PasteBar::say(const QString &summary, const Pasted &pasted, bool canUndo, s
     m_undo->setVisible(canUndo);
     m_remarks->setText(remarks.join(QStringLiteral(" · ")));
     m_remarks->setVisible(!remarks.isEmpty());
-    m_questions->showQuestions(pasted.questions);
+    m_asked = pasted.questions;
+    m_questions->showQuestions(m_asked);
     m_questions->setVisible(!pasted.questions.empty());
     setAccessibleDescription(m_summary->text() + QStringLiteral(". ") + m_remarks->text());
     show();
@@ -146,6 +147,9 @@ void PasteBar::askFor(const QString &key) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Answer"));
     dialog->setLabelText(found ? windowLanguage().text(found->name) : key);
+    const auto asked = std::ranges::find(m_asked, key.toStdString(), &Question::id);
+    if (asked != m_asked.end())
+        dialog->setTextValue(QString::fromStdString(asked->proposal)); // shows the form of an answer
     connect(dialog, &QInputDialog::textValueSelected, this,
             [this, key](const QString &word) { emit answered(key, word.trimmed()); });
     dialog->open();

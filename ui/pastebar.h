@@ -51,6 +51,7 @@ private:
     QComboBox *m_content;
     QHBoxLayout *m_boxes; ///< for other choices
     RemarkList *m_questions;
+    std::vector<Question> m_asked;
     QToolButton *m_undo;
     QToolButton *m_close;
 };

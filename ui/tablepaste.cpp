@@ -72,8 +72,10 @@ PasteBar &TablePaste::bar() {
     m_bar = new PasteBar(&m_page);
     m_page.layout()->addWidget(m_bar);
     connect(m_bar, &PasteBar::answered, this, [this](const QString &key, const QString &word) {
+        const ImportOptions before = m_answers;
         m_answers[key.toStdString()] = word.toStdString();
-        read();
+        if (!read())
+            m_answers = before;
     });
     connect(m_bar, &PasteBar::undoWanted, this, [this] {
         if (m_index == m_model.undoStack()->index())
@@ -90,8 +92,9 @@ void TablePaste::paste(Put put) {
     read();
 }
 
-/// Reads the table; after an answer, instead of what was put before.
-void TablePaste::read() {
+/// Reads the table; after an answer, instead of what was put before. False if it is refused: then nothing is
+/// put, and questions still wait for another answer.
+bool TablePaste::read() {
     QUndoStack &stack = *m_model.undoStack();
     const bool isAgain = m_index == stack.index() && !m_answers.empty();
     m_index = -1;
@@ -103,9 +106,12 @@ void TablePaste::read() {
         const SaidPaste pasted = m_put(m_answers);
         m_index = stack.index() == before ? -1 : stack.index(); // what changes nothing is no step
         bar().say(pasted.summary, pasted, m_index > 0, pasted.motion);
+        return true;
     } catch (const Error &error) {
-        end();
+        if (isAgain || m_answers.empty())
+            end();
         emit refused(windowLanguage().sentence(error.message));
+        return false;
     }
 }
 

@@ -42,7 +42,7 @@ signals:
     void undone();
 
 private:
-    void read();
+    bool read();
     PasteBar &bar();
 
     DocumentModel &m_model;

@@ -205,6 +205,7 @@ void DriftPage::paste() {
     m_reason->hide();
     m_pasted->paste(
         [this, row, text = clipboardText().toStdString()](const ImportOptions &answers) -> SaidPaste {
+            m_reason->hide();
             const Test *shown = test();
             if (!shown)
                 return {};

@@ -14,6 +14,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -258,9 +259,19 @@ private slots:
         auto *confirm = edited.page.findChild<QPushButton *>("confirm.columns");
         QVERIFY(confirm);
         QTest::mouseClick(confirm, Qt::LeftButton);
+        // The typed answer begins as the proposal; a refused one leaves the question.
+        edited.page.findChild<QPushButton *>("other.columns")->click();
+        auto *answer = edited.page.findChild<QInputDialog *>("answerDialog");
+        QCOMPARE(answer->textValue(), QString("ignored,time,deviation"));
+        answer->setTextValue("minutes");
+        answer->accept();
+        QCOMPARE(edited.drift(), pasted);
+        QVERIFY(edited.page.findChild<QLabel *>("driftReason")->isVisible());
+        QVERIFY(bar("pasteQuestions")->isVisible());
         QCOMPARE(edited.drift().times[2], 120.0);
         QCOMPARE(edited.drift().deviations[2], 0.007);
         QVERIFY(!bar("pasteQuestions")->isVisible());
+        QVERIFY(!edited.page.findChild<QLabel *>("driftReason")->isVisible());
     }
 
     void theWindowShowsPageAndCurve() {
