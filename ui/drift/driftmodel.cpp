@@ -158,7 +158,8 @@ QVariant DriftModel::data(const QModelIndex &index, int role) const {
     if (index.column() != time && !isTyped())
         return m_language.number(*shown, of, 2);
     const auto &all = index.column() == time ? m_measurement->times : m_measurement->deviations;
-    return m_language.number(*shown, of, role == Qt::EditRole ? -1 : commonDecimals(all, of));
+    const bool isBegun = static_cast<std::size_t>(index.row()) >= readings(); // shown as it was typed
+    return m_language.number(*shown, of, role == Qt::EditRole || isBegun ? -1 : commonDecimals(all, of));
 }
 
 QVariant DriftModel::headerData(int section, Qt::Orientation orientation, int role) const {

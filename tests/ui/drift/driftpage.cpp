@@ -119,6 +119,9 @@ private slots:
         Edited edited;
         QVERIFY(edited.enter(3, 0, "180"));
         QCOMPARE(edited.drift().times.size(), std::size_t{3});
+        QVERIFY(edited.enter(3, 0, "180.5")); // shown as typed, although the times have no decimals
+        QCOMPARE(edited.table->model()->index(3, 0).data().toString(), QString("180.5"));
+        QVERIFY(edited.enter(3, 0, "180"));
         QVERIFY(edited.enter(3, 1, "-2"));
         QCOMPARE(edited.drift().times.back(), 180.0);
         QCOMPARE(edited.drift().deviations.back(), -0.002);
@@ -256,9 +259,6 @@ private slots:
         paste("0\t0\t5\n1\t60\t6\n2\t120\t7");
         QCOMPARE(edited.drift(), pasted);
         QVERIFY(bar("pasteQuestions")->isVisible());
-        auto *confirm = edited.page.findChild<QPushButton *>("confirm.columns");
-        QVERIFY(confirm);
-        QTest::mouseClick(confirm, Qt::LeftButton);
         // The typed answer begins as the proposal; a refused one leaves the question.
         edited.page.findChild<QPushButton *>("other.columns")->click();
         auto *answer = edited.page.findChild<QInputDialog *>("answerDialog");
@@ -268,10 +268,13 @@ private slots:
         QCOMPARE(edited.drift(), pasted);
         QVERIFY(edited.page.findChild<QLabel *>("driftReason")->isVisible());
         QVERIFY(bar("pasteQuestions")->isVisible());
+        auto *confirm = edited.page.findChild<QPushButton *>("confirm.columns");
+        QVERIFY(confirm);
+        QTest::mouseClick(confirm, Qt::LeftButton);
+        QVERIFY(!edited.page.findChild<QLabel *>("driftReason")->isVisible());
         QCOMPARE(edited.drift().times[2], 120.0);
         QCOMPARE(edited.drift().deviations[2], 0.007);
         QVERIFY(!bar("pasteQuestions")->isVisible());
-        QVERIFY(!edited.page.findChild<QLabel *>("driftReason")->isVisible());
     }
 
     void theWindowShowsPageAndCurve() {
