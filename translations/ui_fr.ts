@@ -5098,6 +5098,10 @@ n’est pas la même machine que&#xa0;:</translation>
         <translation>Prendre %1 dans le budget</translation>
     </message>
     <message>
+        <source>no test of these axes</source>
+        <translation>aucun essai de ces axes</translation>
+    </message>
+    <message>
         <source>Channel</source>
         <translation>Voie</translation>
     </message>

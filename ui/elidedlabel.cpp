@@ -101,7 +101,8 @@ QString ElidedBox::shownText() const {
     initStyleOption(&option);
     const QRect field =
         style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
-    return fontMetrics().elidedText(currentText(), Qt::ElideRight, field.width() - besideWords);
+    const QString text = currentIndex() < 0 ? placeholderText() : currentText();
+    return fontMetrics().elidedText(text, Qt::ElideRight, field.width() - besideWords);
 }
 
 void ElidedBox::paintEvent(QPaintEvent *) {

@@ -111,8 +111,10 @@ void ThermalPage::fillBoxes() {
     m_users.clear();
     if (!shown)
         return;
-    for (const DriftChannel &channel : channelsOf(*shown))
-        m_channel->addItem(QString::fromStdString(channel.name));
+    for (const DriftChannel &channel : channelsOf(*shown)) {
+        const QString name = QString::fromStdString(channel.name);
+        m_channel->addItem(name.isEmpty() ? QString::number(m_channel->count() + 1) : name);
+    }
     m_channel->setCurrentIndex(std::max(0, m_channel->findText(QString::fromStdString(shown->axis.name))));
     const std::string &id = m_evaluated.document->tests[m_test]->id;
     const std::vector<std::size_t> takers = testsTaking(*m_evaluated.document, id);
@@ -131,6 +133,7 @@ void ThermalPage::fillBoxes() {
                     QStringLiteral(" min");
         m_user->addItem(name);
     }
+    m_user->setCurrentIndex(m_users.empty() ? -1 : 0); // a box with a placeholder chooses none itself
     m_user->setEnabled(!m_users.empty());
 }
 
@@ -269,6 +272,7 @@ void ThermalPage::retranslate() {
     m_channel->setAccessibleName(m_channelLabel->text());
     m_userLabel->setText(tr("serves"));
     m_user->setAccessibleName(tr("The test that takes E_VE from here"));
+    m_user->setPlaceholderText(tr("no test of these axes"));
     m_responseTitle->setText(windowLanguage().text(REPORT_TEXT("report", "Response to the temperature")));
     m_responses->setAccessibleName(m_responseTitle->text());
     m_casesTitle->setText(windowLanguage().text(REPORT_TEXT("report", "What the drift explains")));

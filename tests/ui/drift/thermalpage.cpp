@@ -5,10 +5,12 @@
 #include "ui/drift/thermalpage.h"
 #include "document/edits.h"
 #include "kernel/measurement/testfacts.h"
+#include "ui/elidedlabel.h"
 #include "ui/figures/figurecard.h"
 #include "ui/rowtable.h"
 #include "ui/window/shownwindow.h"
 
+#include <QComboBox>
 #include <QPushButton>
 #include <QTest>
 
@@ -54,6 +56,23 @@ private slots:
         take->click();
         const std::string *taken = driftTestOf(*shown.window->model().document()->tests[0]);
         QVERIFY(taken && *taken == shown.window->model().document()->tests[1]->id);
+    }
+
+    void aChannelWithoutNameHasItsNumber() {
+        const ShownWindow shown(examplePath("thermal-behaviour"));
+        shown.window->model().edit("", [](Document &document) {
+            editTest(document, 1, [](Test &test) {
+                for (DriftChannel &channel : std::get<DriftMeasurement>(test.measurement).channels)
+                    channel.name.clear();
+            });
+        });
+        shown.window->workplace().showTest(1);
+        shown.window->workplace().showPage(Page::thermal);
+        const auto *channel = shown.find<QComboBox>("thermalChannel");
+        QTRY_COMPARE(channel->itemText(1), QString("2"));
+        const auto *user = shown.find<ElidedBox>("thermalUser"); // a channel of no test's axis
+        QCOMPARE(user->count(), 0);
+        QCOMPARE(user->shownText(), QString("no test of these axes"));
     }
 };
 
