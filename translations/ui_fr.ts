@@ -2592,6 +2592,10 @@
         <translation>Lecture des dossiers…</translation>
     </message>
     <message>
+        <source>No machine found</source>
+        <translation>Aucune machine trouvée</translation>
+    </message>
+    <message>
         <source>No machine yet</source>
         <translation>Aucune machine pour l’instant</translation>
     </message>

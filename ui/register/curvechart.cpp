@@ -483,13 +483,12 @@ void CurveComparison::rebuildDifference() {
 void CurveComparison::sayDifference(const QColor &ink) {
     const Quantity position = positionQuantity();
     m_travel->setText(tr("common travel %1 to %2")
-                          .arg(windowLanguage().number(m_difference->from, position, 0),
-                               windowLanguage().quantity(m_difference->to, position, 0)));
+                          .arg(windowLanguage().number(m_difference->from, position),
+                               windowLanguage().quantity(m_difference->to, position)));
     if (m_difference->largest) {
         const PlacedValue &largest = *m_difference->largest;
         const QString where = windowLanguage().quantity(*largest.value, valueQuantity(), 1) +
-                              QStringLiteral(" · ") +
-                              windowLanguage().quantity(largest.position, position, 0);
+                              QStringLiteral(" · ") + windowLanguage().quantity(largest.position, position);
         m_differences->setBox({largest.position * scales().x(), *largest.value * scales().y()},
                               *largest.value > 0 ? u'+' + where : where, ink);
     }

@@ -68,16 +68,22 @@ void MachineSide::showState(bool isScanning) {
     m_title->setText(tr("Machines") + (listed == 0 ? QString() : QStringLiteral("  %1").arg(listed)));
     m_all->setText(tr("All"));
     m_toDo->setText(tr("To do %1").arg(m_machines->toDoCount()));
-    m_noMachine->setText(isScanning ? tr("The folders are being read…") : tr("No machine yet"));
+    sayIfNone(isScanning);
     const bool isFirst = any && !m_search->isEnabled();
     m_search->setEnabled(any);
     if (isFirst)
         m_search->setFocus();
-    m_noMachine->setVisible(!any);
     m_ghosts->setVisible(!any);
     m_list->setVisible(any);
     m_all->setVisible(any);
     m_toDo->setVisible(any);
+}
+
+void MachineSide::sayIfNone(bool isScanning) {
+    m_noMachine->setText(m_machines->machineCount() > 0 ? tr("No machine found")
+                         : isScanning                   ? tr("The folders are being read…")
+                                                        : tr("No machine yet"));
+    m_noMachine->setVisible(m_machines->rowCount() == 0);
 }
 
 int MachineSide::rowOf(const QString &identity) const {
@@ -109,6 +115,7 @@ void MachineSide::setMachines(std::vector<MachineRow> machines) {
 void MachineSide::filter() {
     m_machines->setFilter(m_search->text(),
                           m_toDo->isChecked() ? MachineModel::Show::toDo : MachineModel::Show::all);
+    sayIfNone(false);
     const int row = rowOf(m_chosen.isEmpty() ? m_before : m_chosen);
     if (m_machines->rowCount() > 0) // the machine shown on the right must be in the list
         m_list->setCurrentIndex(m_machines->index(std::max(row, 0)));

@@ -42,6 +42,7 @@ private:
     void makeList();
     void filter();
     void choose(int row);
+    void sayIfNone(bool isScanning);
     [[nodiscard]] int rowOf(const QString &identity) const; ///< −1 if not listed
 
     MachineModel *m_machines = new MachineModel(this);

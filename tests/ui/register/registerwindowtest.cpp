@@ -128,9 +128,13 @@ private slots:
         QCOMPARE(tests->model()->rowCount(), 1);
         QTest::keyClicks(find<QLineEdit>("machineSearch"), "machine 2");
         QCOMPARE(machines->model()->rowCount(), 1);
+        QVERIFY(!find<QLabel>("noMachine")->isVisible());
         QTest::keyClicks(find<QLineEdit>("machineSearch"), "!!0");
         QCOMPARE(machines->model()->rowCount(), 0);
+        QVERIFY(find<QLabel>("noMachine")->isVisible());
+        QCOMPARE(find<QLabel>("noMachine")->text(), QString("No machine found"));
         find<QLineEdit>("machineSearch")->clear();
+        QVERIFY(!find<QLabel>("noMachine")->isVisible());
         find<QToolButton>("machinesToDo")->click(); // that of the exceeded limit
         QCOMPARE(machines->model()->rowCount(), 1);
     }
@@ -719,6 +723,25 @@ private slots:
         QVERIFY(std::abs(*comparison->difference()->largest->value + 0.0099) < 1e-9);
         find<QToolButton>("closeComparison")->click();
         QVERIFY(!comparison->isVisible());
+    }
+
+    void theCommonTravelIsWhole() {
+        for (const char *date : {"2025-05-20", "2026-05-19"}) {
+            Sample sample;
+            sample.machine = sample.serial = "Q9";
+            sample.date = date;
+            sample.travel = 720.5;
+            writeFile(folder() + QString("/%1.palmer").arg(date), fileOf(sample));
+        }
+        scan();
+        find<QLineEdit>("machineSearch")->setText("Q9");
+        settle();
+        QCOMPARE(find<QLabel>("machineName")->text(), QString("Q9"));
+        find<QTableView>("tests")->selectAll();
+        m_window->findChild<QAction *>("compareCurves")->trigger();
+        const QList<QLabel *> labels = find<CurveComparison>("curveComparison")->findChildren<QLabel *>();
+        QVERIFY(std::ranges::any_of(
+            labels, [](const QLabel *label) { return label->text() == "common travel 0 to 720.5\u00a0mm"; }));
     }
 
     void whatIsSavedAppearsAtOnce() {
