@@ -14,6 +14,8 @@
 #include "ui/windowlanguage.h"
 
 #include <QLabel>
+#include <QScrollArea>
+#include <algorithm>
 
 namespace palmer::ui {
 
@@ -25,10 +27,18 @@ ComparisonSide::ComparisonSide(QWidget *parent)
     , m_meansTitle(made<QLabel>("meansTitle", TextSize::head, this))
     , m_means(made<ComparisonView>("meansFigure", this))
     , m_methodTitle(made<QLabel>("differenceUncertainty", TextSize::head, this))
-    , m_method(made<QLabel>("differenceMethod", trait::secondary, trait::wrapped, this)) {
+    , m_methodPlace(made<QScrollArea>("differenceMethodPlace", this))
+    , m_method(made<QLabel>("differenceMethod", trait::secondary, trait::wrapped)) {
     setObjectName(QStringLiteral("comparisonSide"));
     setAttribute(Qt::WA_StyledBackground);
     setProperty("ground", QStringLiteral("base"));
+    m_methodPlace->setFrameShape(QFrame::NoFrame);
+    m_methodPlace->setWidgetResizable(true);
+    m_methodPlace->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_methodPlace->setWidget(m_method);
+    m_methodPlace->viewport()->setAutoFillBackground(false);
+    m_method->setAutoFillBackground(false);
+    m_method->setAlignment(Qt::AlignTop);
     auto *title = inRow(8, {m_differenceTitle, {m_differenceNote, 1}});
     inColumn(this, {pageMargin, 12, pageMargin, 12}, 4,
              {title,
@@ -38,7 +48,7 @@ ComparisonSide::ComparisonSide(QWidget *parent)
               {m_means, 2},
               Placed::gap(8),
               m_methodTitle,
-              m_method});
+              m_methodPlace});
     clear();
 }
 
@@ -71,8 +81,20 @@ void ComparisonSide::show(const TestComparison &comparison, const PlacedTest &be
         part->setVisible(curves || circles);
     for (QWidget *part : std::initializer_list<QWidget *>{m_meansTitle, m_means})
         part->setVisible(true);
-    for (QWidget *part : {m_methodTitle, m_method})
+    for (QWidget *part : std::initializer_list<QWidget *>{m_methodTitle, m_methodPlace})
         part->setVisible(!sentences.isEmpty());
+    fitMethod();
+}
+
+void ComparisonSide::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    fitMethod();
+}
+
+/// As high as its text; in a low window a third is left to it, and it scrolls.
+void ComparisonSide::fitMethod() {
+    const int whole = m_method->heightForWidth(width() - 2 * pageMargin);
+    m_methodPlace->setFixedHeight(std::min(whole, height() / 3));
 }
 
 void ComparisonSide::clear() {

@@ -24,13 +24,19 @@ public:
     void show(const TestComparison &comparison, const PlacedTest &before, const PlacedTest &after);
     void clear();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    void fitMethod();
+
     QLabel *m_differenceTitle;
     ElidedLabel *m_differenceNote;
     LineView *m_difference;
     QLabel *m_meansTitle;
     ComparisonView *m_means;
     QLabel *m_methodTitle;
+    QScrollArea *m_methodPlace;
     QLabel *m_method;
 };
 

@@ -152,6 +152,22 @@ private slots:
     }
 
     /// Shown once more, as after a change of the language, it offers what it offered.
+    /// In a low window it scrolls and loses no line.
+    void theMethodIsWhole() {
+        const Compared c;
+        QTRY_COMPARE(c.cell(0, 0), QString("A"));
+        const auto *method = c.shown.find<QLabel>("differenceMethod");
+        for (const int height : {640, 744, 900}) {
+            c.shown.window->resize(1280, height);
+            QCoreApplication::processEvents();
+            QVERIFY(method->isVisible());
+            QVERIFY2(
+                method->height() >= method->heightForWidth(method->width()),
+                qPrintable(
+                    QString("%1 of %2").arg(method->height()).arg(method->heightForWidth(method->width()))));
+        }
+    }
+
     void shownAgainItOffersTheSame() {
         const Compared c;
         QTRY_COMPARE(c.cell(0, 0), QString("A"));
