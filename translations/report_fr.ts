@@ -6571,7 +6571,7 @@
     </message>
     <message>
         <source>Calibration of %1 not valid on the date of the test.</source>
-        <translation>Étalonnage de %1 non valide à la date de l’essai.</translation>
+        <translation>Étalonnage non valide à la date de l’essai&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Dates contradict each other: %1, %2.</source>

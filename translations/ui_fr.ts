@@ -2129,7 +2129,7 @@
     </message>
     <message>
         <source>%1: none</source>
-        <translation>%1&#xa0;: aucun</translation>
+        <translation>%1&#xa0;: aucune image</translation>
     </message>
     <message>
         <source>Country</source>
@@ -2608,11 +2608,11 @@
     </message>
     <message>
         <source>Open a test file</source>
-        <translation>Ouvrir un fichier d’essais</translation>
+        <translation>Ouvrir un fichier d’essai</translation>
     </message>
     <message>
         <source>Test files (*.palmer)</source>
-        <translation>Fichiers d’essais (*.palmer)</translation>
+        <translation>Fichiers d’essai (*.palmer)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -2628,7 +2628,7 @@
     </message>
     <message>
         <source>Save the test file</source>
-        <translation>Enregistrer le fichier d’essais</translation>
+        <translation>Enregistrer le fichier d’essai</translation>
     </message>
     <message>
         <source>%1 cannot be saved</source>
@@ -3350,8 +3350,8 @@
         <translation>Le dernier point visé est un nombre.</translation>
     </message>
     <message>
-        <source>The last target lies above the first.</source>
-        <translation>Le dernier point visé se trouve au-dessus du premier.</translation>
+        <source>The last target has to lie above the first.</source>
+        <translation>Le dernier point visé doit se trouver au-dessus du premier.</translation>
     </message>
     <message>
         <source>The number of targets is a whole number from %1 to %2.</source>
@@ -5098,12 +5098,12 @@ n’est pas la même machine que&#xa0;:</translation>
         <translation>Aucune température n’a été relevée avec la dérive&#xa0;: aucune réponse ne peut être déterminée.</translation>
     </message>
     <message>
-        <source>Take %1 into the budget</source>
-        <translation>Prendre %1 dans le budget</translation>
-    </message>
-    <message>
         <source>no test of these axes</source>
         <translation>aucun essai de ces axes</translation>
+    </message>
+    <message>
+        <source>Take %1 into the budget</source>
+        <translation>Prendre %1 dans le budget</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -5634,7 +5634,7 @@ n’est pas la même machine que&#xa0;:</translation>
     </message>
     <message>
         <source>a test file, .palmer, or a report</source>
-        <translation>un fichier d’essais .palmer ou un rapport</translation>
+        <translation>un fichier d’essai .palmer ou un rapport</translation>
     </message>
     <message>
         <source>Recent files</source>

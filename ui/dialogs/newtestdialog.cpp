@@ -340,7 +340,7 @@ NewTestDialog::Problem NewTestDialog::problem() const {
     if (!m_listed && !last)
         return {m_last, tr("The last target is a number.")};
     if (!m_listed && !(*first < *last))
-        return {m_last, tr("The last target lies above the first.")};
+        return {m_last, tr("The last target has to lie above the first.")};
     if (!m_listed && !whole(m_count, fewestTargets, mostTargets))
         return {m_count, tr("The number of targets is a whole number from %1 to %2.")
                              .arg(count(fewestTargets), count(mostTargets))};
