@@ -5,6 +5,7 @@
 #include "language/decimals.h"
 #include "language/rounding.h"
 #include "language/visibletext.h"
+#include "language/withunit.h"
 
 #include <QDate>
 #include <QFile>
@@ -191,13 +192,7 @@ QString Language::shown(const std::string &decimal) const {
 
 QString Language::quantity(double value, Quantity quantity, int decimals) const {
     QString digits = number(decimals < 0 ? certain(value) : value, quantity, decimals);
-    const QString sign = unit(quantity);
-    if (sign.isEmpty() || digits == dash)
-        return digits;
-    // Degree and arc second signs are superscripts without a space before them in both languages (SI brochure
-    // 5.4.3).
-    const bool superscript = sign == u"°" || sign == u"″";
-    return superscript ? digits + sign : digits + noBreakSpace + sign;
+    return digits == dash ? digits : withUnit(digits, unit(quantity));
 }
 
 QString Language::unit(Quantity quantity) const {

@@ -6,6 +6,7 @@
 #include "kernel/evaluation/conformity.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
+#include "language/withunit.h"
 #include "register/historyfile.h"
 #include "register/listing.h"
 #include "register/machinetrend.h"
@@ -220,8 +221,9 @@ private:
 
     /// "4.2 ± 0.3 µm": the newest result.
     [[nodiscard]] QString newestOf(const MachineTrend &trend) const {
-        return shownResult(trend.series.front().entries.back().result, trend.angular, m_language).text() +
-               QChar(QChar::Nbsp) + m_language.unit(trendQuantity(trend));
+        return withUnit(
+            shownResult(trend.series.front().entries.back().result, trend.angular, m_language).text(),
+            m_language.unit(trendQuantity(trend)));
     }
 
     [[nodiscard]] QString limitOf(const MachineTrend &trend) const {

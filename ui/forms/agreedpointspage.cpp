@@ -8,6 +8,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 #include "language/entry.h"
+#include "language/withunit.h"
 #include "report/words/agreedtext.h"
 #include "ui/chip.h"
 #include "ui/errorbox.h"
@@ -17,7 +18,6 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
-#include "ui/withunit.h"
 
 #include <QEvent>
 #include <QKeyEvent>

@@ -3,12 +3,12 @@
 #include "ui/forms/field.h"
 
 #include "document/bounds.h"
+#include "language/withunit.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
-#include "ui/withunit.h"
 
 #include <QAbstractScrollArea>
 #include <QCheckBox>

@@ -7,6 +7,7 @@
 #include "document/fieldvalue.h"
 #include "document/statedthings.h"
 #include "language/decimals.h"
+#include "language/withunit.h"
 #include "report/words/findingtext.h"
 #include "ui/chip.h"
 #include "ui/forms/columnslayout.h"
@@ -17,7 +18,6 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
-#include "ui/withunit.h"
 
 #include <QAction>
 #include <QCalendarWidget>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/resultspanel.h"
 
+#include "language/withunit.h"
 #include "report/parts/parts.h"
 #include "report/words/accordancetext.h"
 #include "ui/chip.h"
@@ -12,7 +13,6 @@
 #include "ui/results/resultsdelegate.h"
 #include "ui/theme.h"
 #include "ui/verdictmark.h"
-#include "ui/withunit.h"
 
 #include <QAction>
 #include <QClipboard>
