@@ -8447,6 +8447,14 @@
         <translation>Avec les points réels&#xa0;: S = %1, pour le reste comme à l’essai %2.</translation>
     </message>
     <message>
+        <source>Runs without readings: %1.</source>
+        <translation>Passes sans relevé&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>the unit “%1” of the nominal length is not known; state the length in mm as nominalRadius</source>
+        <translation>l’unité «&#xa0;%1&#xa0;» de la longueur nominale n’est pas connue&#x202f;; indiquer la longueur en mm par nominalRadius</translation>
+    </message>
+    <message>
         <source>Sense: no word says which column is clockwise; both are read as the angles run.</source>
         <translation>Sens&#xa0;: aucun mot ne dit quelle colonne est horaire&#x202f;; les deux sont lues dans le sens des angles.</translation>
     </message>

@@ -174,10 +174,13 @@ private:
     void takeLength(const QString &text) {
         const TypeUnit *unit = typeUnit(m_type);
         m_length = numberOf(text);
+        m_lengthType = m_length ? m_type : QString();
         if (m_length && unit && unit->isLength)
             m_length = *m_length * unit->multiplier / unit->divisor;
         else if (m_length && !m_type.isEmpty())
             leaveOut(m_length);
+        if (!m_length && !text.trimmed().isEmpty())
+            m_others.add(QStringLiteral("NOMINAL_LENGTH"), text.trimmed(), m_type);
     }
 
     /// Stores a feed in mm/min.
@@ -187,6 +190,8 @@ private:
         const bool isFeed = unit && QLatin1StringView(unit->unit) == QLatin1StringView("mm/min");
         if (m_feed && !isFeed && !m_type.isEmpty())
             leaveOut(m_feed);
+        if (!m_feed && !text.trimmed().isEmpty())
+            m_others.add(QStringLiteral("PROGRAMMED_FEEDRATE"), text.trimmed(), m_type);
     }
 
     void leaveOut(std::optional<double> &value) {
@@ -264,12 +269,15 @@ private:
 
     void compose() {
         (void)resolveMeasurement(m_tests, m_choices, m.remarks);
-        std::erase_if(m_runs, [](const BallbarRun &run) { return run.readings.empty(); });
+        const std::size_t empty =
+            std::erase_if(m_runs, [](const BallbarRun &run) { return run.readings.empty(); });
         if (m_runs.empty())
             refuseContent(REPORT_TEXT("report", "there are no readings of a ballbar in it"));
+        if (empty > 0)
+            m.remarks.problem("unread", REPORT_TEXT("report", "Runs without readings: %1."), counted(empty));
         const bool lengthChosen = m_choices.isChosen("nominalRadius");
         if (!m_length && !lengthChosen)
-            refuseContent(REPORT_TEXT("report", "the nominal length is missing; state it as nominalRadius"));
+            refuseLength();
         CircularMeasurement measurement;
         measurement.nominalRadius =
             m_choices.resolveNumber("nominalRadius", m_length.value_or(0), Origin::recognised).value;
@@ -299,6 +307,14 @@ private:
         m.instruments = {m_instrument};
         test.measurement = std::move(measurement);
         m.test = std::move(test);
+    }
+
+    [[noreturn]] void refuseLength() const {
+        if (!m_lengthType.isEmpty())
+            refuseContent(REPORT_TEXT("report", "the unit “%1” of the nominal length is not known; state the "
+                                                "length in mm as nominalRadius"),
+                          excerpt(m_lengthType.toStdString()));
+        refuseContent(REPORT_TEXT("report", "the nominal length is missing; state it as nominalRadius"));
     }
 
     [[nodiscard]] std::string planeOfAxes() const {
@@ -480,6 +496,7 @@ private:
     std::string m_axisA;
     std::string m_axisB;
     std::optional<double> m_length;
+    QString m_lengthType; ///< DT
     std::optional<double> m_feed;
     std::vector<BallbarRun> m_runs;
     std::vector<ImportedResult> m_results;

@@ -212,7 +212,20 @@ private:
         }
         if (!straight && !swapped)
             refuseContent(REPORT_TEXT("report", "there are readings of targets that are not in the list"));
-        return straight;
+        // As many cycles as targets, or fewer: the readings are near the targets.
+        const bool areBoth = straight && swapped && m_choices.chosen("content") != "deviations";
+        return straight && (!areBoth || distance(&std::pair<long, long>::first) <=
+                                            distance(&std::pair<long, long>::second));
+    }
+
+    /// The sum of the distances of the readings from the targets that one of the indexes names.
+    [[nodiscard]] double distance(long std::pair<long, long>::*target) const {
+        double sum = 0;
+        for (const auto *readings : {&m_forward, &m_backward}) {
+            for (const auto &[index, value] : *readings)
+                sum += std::abs(value.first - m_targets.at(index.*target));
+        }
+        return sum;
     }
 
     /// Passes forward and backward, by cycle.

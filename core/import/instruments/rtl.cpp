@@ -120,7 +120,7 @@ private:
                     m.remarks.unlike(line.line);
                     continue;
                 }
-                addOther(line, name, isKnown && isFirst);
+                addOther(line, name, isKnown && isFirst && !isAgain);
             }
         }
     }

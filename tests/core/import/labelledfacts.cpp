@@ -469,6 +469,7 @@ private slots:
         const Imported two = showMeasurement(machines, "x.rtl", {});
         QCOMPARE(two.machine.name, "Mill 0");
         QVERIFY2(remarksOf(two).contains("Machine: "), qPrintable(remarksOf(two)));
+        QVERIFY2(!remarksOf(two).contains("Statements that were read"), qPrintable(remarksOf(two)));
         const QByteArray flags = changed("rtl/typical.rtl", "Flags: 0 0", "Flags: 0 1");
         QVERIFY(remarksOf(showMeasurement(flags, "x.rtl", {})).contains("rows are followed"));
         const QByteArray plane =

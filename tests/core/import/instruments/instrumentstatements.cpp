@@ -112,6 +112,10 @@ private slots:
         row("indexed: comments", "; Machine: Mill 9\n; cold start\n" + indexed,
             "Statements that were read: 2 (1: Machine: Mill 9; 3: UNIT: mm)");
         row("indexed: other comments", "; cold start\n" + indexed, "1: cold start");
+        row("indexed: the cycle before the target",
+            "UNIT=mm\nTGT_DATA[1]=0\nTGT_DATA[2]=60\nREF_DATA_FWD[1,1]=0.0007\nREF_DATA_FWD[1,2]=60.0021\n"
+            "REF_DATA_FWD[2,1]=0.0015\nREF_DATA_FWD[2,2]=60.0044\n",
+            "↑ 0.7 2.1\n↑ 1.5 4.4");
         row("indexed: behind a value", QByteArray(indexed).replace("=60.0\n", "=60.0 ; moved\n"), "3: moved");
         row("indexed: unit in a comment", "; Units: inch\n" + QByteArray(indexed).replace("UNIT=mm\n", ""),
             "mm: 0 1524");
@@ -149,6 +153,13 @@ private slots:
                  "<BALLBAR_RUN><RUN_DIRECTION>CCW</RUN_DIRECTION>"
                  "<READINGS DT=\"UT_LENGTH_MM\">0.002 0.003 0.004</READINGS></BALLBAR_RUN>"),
             "!! arc=360: ");
+        row("ballbar: a run without readings",
+            with(ballbar, "</RUN_RESULTS>",
+                 "<BALLBAR_RUN><RUN_DIRECTION>CCW</RUN_DIRECTION><READINGS/></BALLBAR_RUN>"),
+            "!! unread=: Runs without readings: 1.");
+        row("ballbar: feed with thousands",
+            with(ballbar, "<PLANE", "<PROGRAMMED_FEEDRATE DT=\"UT_FEEDRATE\">2,500.0</PROGRAMMED_FEEDRATE>"),
+            "PROGRAMMED_FEEDRATE: 2,500.0");
         row("ballbar: start angle", with(ballbar, "<PLANE", "<START_ANGLE>45</START_ANGLE>"),
             "!! startAngle=45: ");
         row("ballbar: overshoot of a run",
@@ -178,6 +189,19 @@ private slots:
         if (imported.refusal)
             all += '\n' + Language(Language::Id::english).sentence(imported.refusal->message);
         QVERIFY2(all.contains(said), qPrintable(all));
+    }
+
+    void aLengthInAnotherUnitIsRefused() {
+        try {
+            (void)importMeasurement(
+                QByteArray(ballbar).replace("<NOMINAL_LENGTH>", "<NOMINAL_LENGTH DT=\"UT_LENGTH_IN\">"),
+                "x.b5r");
+            QFAIL("it is read");
+        } catch (const Error &error) {
+            QVERIFY(Language(Language::Id::english)
+                        .sentence(error.message)
+                        .contains("the unit “UT_LENGTH_IN” of the nominal length is not known"));
+        }
     }
 
     void answersAreFollowed_data() {
