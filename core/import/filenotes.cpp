@@ -84,6 +84,8 @@ bool takeDay(const QString &line, bool isLabelled, FileNotes &notes, bool &under
     return isTaken;
 }
 
+constexpr double leastRadius = 0.5; ///< mm; less is a result
+
 /// Reads a text without a label that is known: "Positioning test, X axis, F 1000 mm/min, ISO 230-2:2014".
 bool readWords(const LabelledValue &said, FileNotes &notes) {
     const QString line = statementOf(said);
@@ -103,30 +105,47 @@ bool readWords(const LabelledValue &said, FileNotes &notes) {
         notes.sign = std::move(sign);
         understood = true;
     }
-    if (const auto radius = positiveNumber(captured(
-            R"((?:\bR|\b(?:nominal |nenn|soll)?radius(?: nominal)?|\brayon(?: nominal)?|\braggio(?: nominale)?|\bradio(?: nominal)?)\s*[:=;]?\s*(\d+(?:[.,]\d+)?)\s*mm\b)",
-            line));
-        radius && !notes.radius) {
-        notes.radius = radius;
+    const auto takeNumber = [&](std::optional<double> &field, double part, const char *text) {
+        const auto value = positiveNumber(captured(text, line));
+        if (!value || *value * part < leastRadius)
+            return;
+        if (!field)
+            field = *value * part;
+        understood |= field == *value * part;
+    };
+    // "Stylus radius 3 mm" is another one.
+    takeNumber(
+        notes.radius, 1,
+        R"((?:\bR|(?:^|[,;:(–-]\s*|\b(?:circle|circular|test|path|ballbar|kreis\w*|cercle|cerchio|circulo)\s)(?:nominal |nenn|soll|kreis)?(?:radius|rayon|raggio|radio)(?: nominale?)?)\s*[:=;]?\s*((?![1-9][.,]\d{3}(?!\d))\d+(?:[.,]\d+)?)\s*mm\b)");
+    takeNumber(
+        notes.radius, 0.5,
+        R"((?:[Ø⌀]|(?:^|[,;:(–-]\s*|\b(?:circle|circular|test|kreis\w*|cercle)\s)(?:diameter|diam[eè]tre|durchmesser|diametro))\s*[:=;]?\s*(\d+(?:[.,]\d+)?)\s*mm\b)");
+    takeNumber(
+        notes.overshoot, 1,
+        R"(\b(?:overshoot|überlauf(?:winkel)?|dépassement(?: angulaire)?)\s*[:=;]?\s*(\d+(?:[.,]\d+)?)\s*(?:°|deg))");
+    const auto start = captured(
+        R"(\b(?:start(?:ing)? angle|startwinkel|angle de départ|angolo iniziale|ángulo inicial)\s*[:=;]?\s*(-?\d+(?:[.,]\d+)?)(?!\d))",
+        line);
+    if (const auto value = start ? numberIn(start->toStdString()) : std::nullopt;
+        value && !notes.startAngle) {
+        notes.startAngle = value;
         understood = true;
     }
     // "Circle centre X 250 Y 180"
-    if (notes.centre.empty() && pattern(R"(\b(?:cent(?:re|er|ro)|mittelpunkt)\b)").match(line).hasMatch()) {
-        auto all = pattern(R"(\b([XYZ])\s*[:=]?\s*(-?\d+(?:[.,]\d+)?)(?!\w))").globalMatch(line);
+    if (pattern(R"(\b(?:cent(?:re|er|ro)|mittelpunkt)\b)").match(line).hasMatch()) {
+        auto all =
+            pattern(R"(\b([XYZ])\s*(?:\(?mm\)?)?\s*[:=]?\s*(-?\d+(?:[.,]\d+)?)(?!\w))").globalMatch(line);
         while (all.hasNext()) {
             const auto each = all.next();
-            notes.centre[each.captured(1).toUpper().toStdString()[0]] =
-                numberIn(each.captured(2).toStdString()).value_or(0);
+            const double value = numberIn(each.captured(2).toStdString()).value_or(0);
+            understood |=
+                notes.centre.try_emplace(each.captured(1).toUpper().toStdString()[0], value).first->second ==
+                value;
         }
-        understood |= !notes.centre.empty();
     }
-    if (const auto feed = positiveNumber(captured(
-            R"((?:\bF|\bfeed|\bavance|\bfeed ?rate|\bvorschub|\bavanzamento)\s*[:=;]?\s*((?![1-9]\d{0,2}[.,]\d{3}(?!\d))\d+(?:[.,]\d+)?)\s*mm/min)",
-            line));
-        feed && !notes.feed) {
-        notes.feed = feed;
-        understood = true;
-    }
+    takeNumber(
+        notes.feed, 1,
+        R"((?:\bF|\bfeed|\bavance|\bfeed ?rate|\bvorschub|\bavanzamento)\s*[:=;]?\s*((?![1-9]\d{0,2}[.,]\d{3}(?!\d))\d+(?:[.,]\d+)?)\s*mm/min)");
     return understood && !isDayLeft;
 }
 
@@ -156,7 +175,8 @@ bool isTitle(std::string_view text) {
     if (text.starts_with("- ") || text.starts_with("* ")) // of a list, no direction
         text.remove_prefix(2);
     const HeadingWords words = readTitle(text);
-    return words.isTitle() && (words.namesSense || words.direction || words.state != TestRole::notStated);
+    return !numberIn(text) && words.isTitle() &&
+           (words.namesSense || words.direction || words.state != TestRole::notStated);
 }
 
 /// Takes what a line says; returns the text of what is left.

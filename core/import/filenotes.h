@@ -40,6 +40,8 @@ struct FileNotes {
     SaidSign sign;                       ///< "Deviation = actual - target"
     std::optional<double> radius;        ///< mm
     std::map<char, double> centre;       ///< of a circle, mm, by the letter of the axis
+    std::optional<double> startAngle;    ///< °, of a path without angles
+    std::optional<double> overshoot;     ///< °, at each end of a path
     std::optional<double> feed;          ///< mm/min
     std::optional<double> airPressure;   ///< hPa
     std::optional<double> airHumidity;   ///< %, relative

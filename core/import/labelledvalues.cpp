@@ -4,6 +4,7 @@
 
 #include "import/notelabels.h"
 #include "kernel/words/characters.h"
+#include "tables/units.h"
 
 #include <algorithm>
 #include <array>
@@ -198,6 +199,19 @@ std::vector<PlacedText> placedTextsIn(const CellTable &table, const TableRow &ro
     return texts;
 }
 
+/// "# Feed;1000;mm/min": the cells within a comment.
+std::vector<PlacedText> partsOf(std::string_view text, std::string_view signs) {
+    std::vector<PlacedText> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find_first_of(signs, begin), text.size());
+        const std::string_view part = trimmedOf(text.substr(begin, end - begin), " ");
+        if (!part.empty())
+            parts.push_back({std::string(part), parts.empty(), isDigit(part.front())});
+        begin = end + 1;
+    }
+    return parts;
+}
+
 /// "Model; VF2; ; Location; Hall 3": of cells in pairs, or of those where each second one is a known label,
 /// the first is a label. True for each of them.
 std::vector<bool> labelsByPlace(const std::vector<PlacedText> &texts) {
@@ -214,6 +228,9 @@ std::vector<bool> labelsByPlace(const std::vector<PlacedText> &texts) {
     }
     for (std::size_t i = 0; isInTurn && isAnyKnown && i < texts.size(); i += 2)
         labels[i] = true;
+    constexpr std::size_t withUnit = 3; // "Centre Y; -300; mm"
+    if (texts.size() == withUnit && isWord(0) && texts[1].isNumber && unitIn('(' + texts[2].text + ')'))
+        labels.front() = true;
     return labels;
 }
 
@@ -246,6 +263,12 @@ std::vector<LabelledValue> labelledValuesIn(const CellTable &table, const TableR
             text.find("  ", value) == std::string_view::npos &&
             text.substr(0, gap).find_first_of(":=") >= gap - 1)
             texts = {{std::string(text.substr(0, gap))}, {std::string(text.substr(value)), false}};
+    }
+    if (row.comment && texts.size() == 1) {
+        std::vector<PlacedText> parts =
+            partsOf(texts.front().text, table.delimiter.value == Delimiter::comma ? ",;|\t" : separators);
+        if (parts.size() > 1 && factOf(parts.front().text))
+            texts = std::move(parts);
     }
     LineParts result(!table.isPlaced && table.delimiter.value == Delimiter::comma, texts.size());
     const std::vector<bool> labels = labelsByPlace(texts);

@@ -67,6 +67,16 @@ constexpr std::array labelRows{
     LabelRow{NoteFact::time, "time,heure,uhrzeit,zeit,ora,hora,start,beginn,startzeit,inizio,ora inizio",
              " of the test start de d l essai mesure measurement der messung prufung debut "},
     LabelRow{
+        NoteFact::radius,
+        "r,radius,nominal radius,test radius,circle radius,programmed radius,path radius,bar length,ballbar "
+        "length,ball bar length,ballbar radius,rayon,rayon nominal,longueur ballbar,nennradius,sollradius,"
+        "kreisradius,testradius,prufradius,messradius,bahnradius,raggio,raggio nominale,radio,radio nominal",
+        " of the nominal circle test path du de cercle programme kreis des del della cerchio circulo "},
+    LabelRow{NoteFact::diameter,
+             "diameter,diametre,durchmesser,nenndurchmesser,solldurchmesser,kreisdurchmesser,diametro,ø",
+             " nominal nominale of the circle test path du de cercle programme kreis des del della cerchio "
+             "circulo "},
+    LabelRow{
         NoteFact::feed,
         "f,feed,feedrate,feed rate,avance,vitesse d avance,vorschub,vorschubgeschwindigkeit,avanzamento,"
         "velocidad de avance,speed,traverse speed,traverse rate,feed speed,vitesse,vitesse de deplacement,"
@@ -255,9 +265,22 @@ std::optional<NoteFact> factOf(std::string_view label) {
 
 std::optional<NoteFact> factOfWholeTest(std::string_view label) {
     constexpr std::array whole{NoteFact::machine, NoteFact::serialNumber, NoteFact::operatorName,
-                               NoteFact::date, NoteFact::feed};
+                               NoteFact::date,    NoteFact::plane,        NoteFact::feed};
     const auto fact = factOf(label);
     return fact && std::ranges::find(whole, *fact) != whole.end() ? fact : std::nullopt;
+}
+
+std::string planeIn(std::string_view text) {
+    std::string letters = upperCase(text);
+    for (const auto &[code, plane] :
+         {std::pair("G17", "XY"), std::pair("G18", "ZX"), std::pair("G19", "YZ")}) {
+        if (letters == code)
+            return plane;
+    }
+    std::erase_if(letters, [](char c) { return c == '-' || c == '/' || c == ' ' || isDigit(c); });
+    const bool isPlane = letters.size() == 2 && letters[0] != letters[1] &&
+                         letters.find_first_not_of("XYZ") == std::string::npos;
+    return isPlane ? letters : std::string();
 }
 
 bool namesMachine(std::string_view label) {

@@ -21,6 +21,8 @@ enum class NoteFact {
     date,
     day, ///< a word that names the day only where a date follows: "Measured", "Start"
     time,
+    radius,   ///< of a circle, or the length of a ballbar
+    diameter, ///< of a circle
     feed,
     airPressure,
     airHumidity,
@@ -34,8 +36,12 @@ enum class NoteFact {
 /// something else.
 [[nodiscard]] std::optional<NoteFact> factOf(std::string_view label);
 
+/// The plane that a text names: "YZ", "Y-Z", "X1-Y1", "G19"; empty if it names none.
+[[nodiscard]] std::string planeIn(std::string_view text);
+
 /// The fact that a label or the heading of a column names, if it is one for all readings of a test, so that
-/// another value is of another test: machine, serial number, operator, date, feed. Null for any other words.
+/// another value is of another test: machine, serial number, operator, date, plane, feed. Null for any other
+/// words.
 [[nodiscard]] std::optional<NoteFact> factOfWholeTest(std::string_view label);
 
 /// True for a label that names an instrument and no machine: "Laser", "Messgerät".

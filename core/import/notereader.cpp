@@ -147,6 +147,10 @@ private:
         case NoteFact::day:
         case NoteFact::time:
             return takeDay(said);
+        case NoteFact::radius:
+            return takeRadius(said, 1);
+        case NoteFact::diameter:
+            return takeRadius(said, 0.5); // NOLINT(readability-magic-numbers): a half
         case NoteFact::feed:
             return takeFeed(said);
         case NoteFact::airPressure:
@@ -183,17 +187,25 @@ private:
         return true;
     }
 
-    /// "YZ", "Y-Z", "G19".
     bool takePlane(LabelledValue said) {
-        std::string value = joined(said.values);
-        for (const auto &[code, letters] :
-             {std::pair("G17", "XY"), std::pair("G18", "ZX"), std::pair("G19", "YZ")}) {
-            if (upperCase(value) == code)
-                value = letters;
-        }
-        std::erase_if(value, [](char c) { return c == '-' || c == '/' || c == ' '; });
-        said.values = {value};
+        if (std::string plane = planeIn(joined(said.values)); !plane.empty())
+            said.values = {std::move(plane)};
         return takeLetters(m.plane, R"(^([XYZ]{2})\b)", said);
+    }
+
+    /// "R = 150" has no unit, but no circle is measured in another one; "R: 0.012 mm" is none.
+    bool takeRadius(const LabelledValue &said, double part) {
+        constexpr double least = 0.5; // mm
+        constexpr double leastBare = 10;
+        auto value = inBaseUnit(
+            said,
+            {{R"(\bmm\b)", 1}, {R"(\bcm\b)", 10}, {R"(\bm\b)", 1000}, {R"(\bin(?:ch(?:es)?)?\b|")", 25.4}});
+        if (!value) { // no radius is 150 m
+            value = positiveNumber(
+                captured(R"(^(\d+(?:[.,]\d+)?)(?:\s*mm)?$)", QString::fromStdString(joined(said.values))));
+            value = value >= leastBare ? value : std::nullopt;
+        }
+        return value >= least && takeNumber(m.radius, *value * part);
     }
 
     struct UnitRow {
