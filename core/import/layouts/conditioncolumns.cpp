@@ -30,11 +30,12 @@ std::string valueOf(std::string_view cell, NoteFact condition) {
 
 class ConditionSearch {
 public:
-    ConditionSearch(TableReading &reading, PositioningColumns &columns)
+    ConditionSearch(TableReading &reading, const std::vector<ImportColumn> &columns, LineConditions &result)
         : m(reading)
-        , m_result(columns) {}
+        , m_columns(columns)
+        , m_result(result) {}
 
-    void take() {
+    void take(bool asks) {
         std::vector<ConditionColumn> several;
         for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
             const auto found = conditionIn(c);
@@ -45,7 +46,7 @@ public:
             else if (!found->values.empty() && state(found->condition, c, found->values.front()))
                 m_result.conditions.push_back(c);
         }
-        if (m.choices.isChosen("columns"))
+        if (!asks)
             return;
         if (!several.empty())
             chooseLines(several);
@@ -57,7 +58,7 @@ private:
         constexpr std::size_t most = 20;
         const TableColumn &head = m.body.columns[c];
         const auto condition = factOfWholeTest(head.heading);
-        const ColumnRole role = m_result.columns[c].role;
+        const ColumnRole role = m_columns[c].role;
         if (!condition || head.kind == ColumnKind::empty ||
             (role != ColumnRole::ignored && role != ColumnRole::time))
             return {};
@@ -93,6 +94,8 @@ private:
             return fill(m.notes.operatorName);
         case NoteFact::date:
             return stateDay(value);
+        case NoteFact::plane:
+            return statePlane(planeIn(value));
         case NoteFact::feed:
             return stateFeed(c, value);
         default:
@@ -107,6 +110,12 @@ private:
         else if (!day && m.notes.dateText.empty())
             m.notes.dateText = value;
         return day ? m.notes.date == day : m.notes.dateText == value;
+    }
+
+    bool statePlane(const std::string &plane) {
+        if (!plane.empty())
+            m.notes.plane = plane; // closer to the numbers than a line above them
+        return !plane.empty();
     }
 
     bool stateFeed(std::size_t c, const std::string &value) {
@@ -182,7 +191,7 @@ private:
         constexpr double most = 3; // K, within a test
         for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
             const TableColumn &head = m.body.columns[c];
-            if (m_result.columns[c].role != ColumnRole::temperature || !head.isNumeric() ||
+            if (m_columns[c].role != ColumnRole::temperature || !head.isNumeric() ||
                 (head.unit && !head.isIn(UnitKind::temperature)))
                 continue;
             const auto [low, high] = m.rangeOf(c);
@@ -199,13 +208,15 @@ private:
     }
 
     TableReading &m;
-    PositioningColumns &m_result;
+    const std::vector<ImportColumn> &m_columns;
+    LineConditions &m_result;
 };
 
 } // namespace
 
-void takeConditions(TableReading &reading, PositioningColumns &columns) {
-    ConditionSearch(reading, columns).take();
+void takeConditions(TableReading &reading, const std::vector<ImportColumn> &columns, bool asks,
+                    LineConditions &result) {
+    ConditionSearch(reading, columns, result).take(asks);
 }
 
 } // namespace palmer

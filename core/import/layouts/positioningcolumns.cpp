@@ -94,19 +94,6 @@ void quoteForeignUnit(ColumnSearch &search) {
     }
 }
 
-/// "Status", "Valid", "gültig": marks that differ from line to line, so that some readings are not like the
-/// others.
-bool marksReadings(const ColumnSearch &search, std::size_t c) {
-    constexpr std::string_view words =
-        "|status|valid|validity|flag|flags|quality|rejected|outlier|excluded|statut|valide|"
-        "etat|qualite|rejete|exclu|gultig|ungultig|qualitat|ausreisser|stato|valido|"
-        "estado|calidad|";
-    const std::string heading = folded(search.reading.body.columns[c].heading);
-    const std::vector<std::string_view> cells = cellsOf(search, c);
-    return words.find('|' + heading + '|') != std::string_view::npos &&
-           std::ranges::adjacent_find(cells, std::ranges::not_equal_to()) != cells.end();
-}
-
 /// True if the lowest row of the headings names run, direction and unit as those of the readings do, whatever
 /// the rows above say; not below "Mean".
 bool isHeadedAsRun(const ColumnSearch &search, std::size_t c) {
@@ -158,16 +145,11 @@ void remarkIgnored(ColumnSearch &search) {
     TableReading &m = search.reading;
     const auto isRead = [&](std::size_t c) { return isUsed(search, c); };
     const auto isReading = [&](std::size_t c) { return looksLikeReadings(search, c); };
+    m.askForMarks(isRead);
     for (std::size_t c = 0; c < m.body.columns.size() && !m.choices.isChosen("columns"); ++c) {
         const TableColumn &head = m.body.columns[c];
         if (isRead(c) || head.kind == ColumnKind::empty)
             continue;
-        if (marksReadings(search, c))
-            m.remarks.problem(
-                "columns",
-                REPORT_TEXT("report",
-                            "“%1” differs from line to line; all readings are read, whatever it says."),
-                excerpt(head.heading));
         if (head.meaning == Meaning::direction && !isReading(c))
             m.remarks.problem("columns",
                               REPORT_TEXT("report",
@@ -240,7 +222,7 @@ void resolve(ColumnSearch &search) {
     placeOwnTargets(search.result);
     takeUnitColumn(search);
     quoteForeignUnit(search);
-    takeConditions(m, search.result);
+    takeConditions(m, search.result.columns, !m.choices.isChosen("columns"), search.result);
     remarkIgnored(search);
 }
 

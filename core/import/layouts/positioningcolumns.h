@@ -23,14 +23,12 @@ struct FoundForm {
 };
 
 /// The columns of a positioning table by role.
-struct PositioningColumns : FoundForm {
+struct PositioningColumns : FoundForm, LineConditions {
     std::vector<ImportColumn> columns; ///< all columns of the table, each with its role
     std::optional<std::size_t> target;
     std::optional<std::size_t> direction;          ///< column of directions
     std::optional<std::size_t> number;             ///< column of run numbers
     std::vector<std::size_t> values;               ///< readings of one role, one unit and one axis
-    std::vector<std::size_t> conditions;           ///< columns that say machine, day, feed …, as used
-    std::vector<bool> isOfOtherTest;               ///< of each row of the table; empty if all are of one test
     std::map<std::size_t, std::size_t> ownTargets; ///< readings next to their own column of targets
 };
 

@@ -4,6 +4,7 @@
 
 #include "document/place.h"
 #include "kernel/words/shortest.h"
+#include "tables/folded.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,8 @@
 #include <map>
 #include <set>
 #include <span>
+
+// Above 500 lines: one reading, whose parts share the table, its blocks and what is said above them.
 
 namespace palmer {
 
@@ -158,16 +161,15 @@ bool keepOneTable(const CellTable &table, TableBody &body, const Choices &choice
     return isOfAxis;
 }
 
-/// The statements of the lines above a block: machine, serial number, day, the text of a day, plane and
-/// radius; then axis, state and unit.
-using BlockFacts = std::array<std::string, 9>;
-constexpr std::size_t factsOfTest = 6;
-constexpr std::size_t unitFact = 8;
+/// The statements of the lines above a block: machine, serial number, day, the text of a day, plane, radius
+/// and feed; then axis, state and unit.
+using BlockFacts = std::array<std::string, 10>;
+constexpr std::size_t factsOfTest = 7;
+constexpr std::size_t unitFact = 9;
 
-BlockFacts factsOf(const TableReading &reading, const TableBlock &block) {
+BlockFacts factsOf(const TableReading &reading, std::vector<std::uint32_t> lines) {
     TableBody own;
-    own.notes = reading.titlesOf(block);
-    std::ranges::reverse(own.notes);
+    own.notes = std::move(lines);
     const FileNotes notes = notesOf(reading.table(), own, {});
     std::string state;
     for (const std::uint32_t note : own.notes) {
@@ -180,9 +182,17 @@ BlockFacts factsOf(const TableReading &reading, const TableBlock &block) {
             notes.dateText,
             notes.plane,
             notes.radius ? shortest(*notes.radius) + " mm" : std::string(),
+            notes.feed ? shortest(*notes.feed) + " mm/min" : std::string(),
             notes.axis,
             state,
             notes.unit.words()};
+}
+
+/// The lines above a block, in file order.
+std::vector<std::uint32_t> linesAbove(const TableReading &reading, const TableBlock &block) {
+    std::vector<std::uint32_t> lines = reading.titlesOf(block);
+    std::ranges::reverse(lines);
+    return lines;
 }
 
 bool differ(std::span<const BlockFacts> blocks, std::size_t fact) {
@@ -208,6 +218,24 @@ std::vector<std::string> testsOf(std::span<const BlockFacts> blocks) {
         }
     }
     return tests;
+}
+
+/// The lines above a block that are only of its test: those above the first block hold for all, up to the one
+/// that tells the tests apart.
+std::vector<std::uint32_t> ownLines(const TableReading &reading, std::span<const BlockFacts> blocks,
+                                    std::size_t index) {
+    std::vector<std::uint32_t> lines = linesAbove(reading, reading.body.blocks[index]);
+    const auto tells = [&](std::uint32_t line) {
+        const BlockFacts facts = factsOf(reading, {line});
+        for (std::size_t fact = 0; fact < factsOfTest; ++fact) {
+            if (!facts[fact].empty() && differ(blocks, fact))
+                return true;
+        }
+        return false;
+    };
+    if (index == 0)
+        lines.erase(lines.begin(), std::ranges::find_if(lines, tells));
+    return lines;
 }
 
 } // namespace
@@ -283,15 +311,15 @@ void TableReading::askForCutEnd() {
             .column = cells.size();
 }
 
-/// Keeps the blocks of one machine, day, plane and radius, asked if the lines above them state several. Axes
-/// and states have choices of their own.
+/// Keeps the blocks of one machine, day, plane, radius and feed, asked if the lines above them state several.
+/// Axes and states have choices of their own.
 void TableReading::keepOneTest(const std::vector<CoverSheet> &covers) {
     constexpr std::size_t mostBlocks = 1000;
     std::vector<BlockFacts> blocks;
     if (body.blocks.size() > mostBlocks)
         return;
     for (const TableBlock &block : body.blocks)
-        blocks.push_back(factsOf(*this, block));
+        blocks.push_back(factsOf(*this, linesAbove(*this, block)));
     if (differ(blocks, unitFact))
         remarks.problem("unit",
                         REPORT_TEXT("report", "Unit: the lines above the blocks of numbers name several; "
@@ -322,7 +350,7 @@ void TableReading::keepOneTest(const std::vector<CoverSheet> &covers) {
     for (std::size_t i = blocks.size(); i-- > 0 && read != list;) {
         if (tests[i] == read)
             continue;
-        const std::vector<std::uint32_t> titles = titlesOf(body.blocks[i]);
+        const std::vector<std::uint32_t> titles = ownLines(*this, blocks, i);
         std::erase_if(body.notes, [&](auto note) { return std::ranges::find(titles, note) != titles.end(); });
         body.blocks.erase(body.blocks.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -444,6 +472,42 @@ std::vector<std::uint32_t> TableReading::titlesOf(const TableBlock &block) const
     std::vector<std::uint32_t> titles(block.heads.rbegin(), block.heads.rend());
     std::erase_if(titles, [&](auto head) { return std::ranges::binary_search(body.columnHeads, head); });
     return titles;
+}
+
+TestRole TableReading::stateOf(const TableBlock &block) const {
+    for (const std::uint32_t head : titlesOf(block)) {
+        const HeadingWords title = readTitle(textOf(head));
+        if (title.state != TestRole::notStated && title.unknownWords < 3) // a title, not prose
+            return title.state;
+    }
+    return TestRole::notStated;
+}
+
+bool TableReading::marksReadings(std::size_t column) const {
+    constexpr std::string_view words =
+        "|status|valid|validity|flag|flags|quality|rejected|outlier|excluded|statut|valide|"
+        "etat|qualite|rejete|exclu|gultig|ungultig|qualitat|ausreisser|stato|valido|"
+        "estado|calidad|";
+    if (words.find('|' + folded(body.columns[column].heading) + '|') == std::string_view::npos)
+        return false;
+    std::set<std::string_view> cells;
+    for (const TableBlock &block : body.blocks) {
+        for (const std::uint32_t index : block.rows)
+            cells.insert(cellText(index, column));
+    }
+    cells.erase(std::string_view());
+    return cells.size() > 1;
+}
+
+void TableReading::askForMarks(const std::function<bool(std::size_t)> &isRead) const {
+    for (std::size_t c = 0; c < body.columns.size() && !choices.isChosen("columns"); ++c) {
+        if (!isRead(c) && body.columns[c].kind != ColumnKind::empty && marksReadings(c))
+            remarks.problem(
+                "columns",
+                REPORT_TEXT("report",
+                            "“%1” differs from line to line; all readings are read, whatever it says."),
+                excerpt(body.columns[c].heading));
+    }
 }
 
 std::vector<double> TableReading::valuesOf(std::size_t column, std::size_t most) const {

@@ -7,6 +7,12 @@
 
 namespace palmer {
 
+/// The columns that say machine, day, plane, feed … of each line, and the lines of other tests.
+struct LineConditions {
+    std::vector<std::size_t> conditions; ///< columns, as used
+    std::vector<bool> isOfOtherTest;     ///< of each row of the table; empty if all are of one test
+};
+
 /// A table being read, shared by the readers of all kinds.
 class TableReading {
 public:
@@ -54,6 +60,13 @@ public:
 
     /// The rows above a block that are no column headings, from the nearest one up.
     [[nodiscard]] std::vector<std::uint32_t> titlesOf(const TableBlock &block) const;
+    /// The state that a title above a block names.
+    [[nodiscard]] TestRole stateOf(const TableBlock &block) const;
+    /// "Status", "Valid", "gültig": marks that differ from line to line, so that some readings are not like
+    /// the others.
+    [[nodiscard]] bool marksReadings(std::size_t column) const;
+    /// Asks about the columns of such marks.
+    void askForMarks(const std::function<bool(std::size_t)> &isRead) const;
     /// Names the columns that are not read: those that look like readings in a question.
     void remarkUnread(const std::function<bool(std::size_t)> &isRead,
                       const std::function<bool(std::size_t)> &looksLikeReadings);

@@ -134,8 +134,8 @@ private:
         bool found = false;
         bool left = false;
         for (const TableBlock &block : m.body.blocks) {
-            found |= stateOfBlock(block) == TestRole::asFound;
-            left |= stateOfBlock(block) == TestRole::asLeft;
+            found |= m.stateOf(block) == TestRole::asFound;
+            left |= m.stateOf(block) == TestRole::asLeft;
         }
         m_hasStates = found && left && m.stateFound == TestRole::notStated;
         if (m_hasStates)
@@ -156,18 +156,9 @@ private:
         }
     }
 
-    [[nodiscard]] TestRole stateOfBlock(const TableBlock &block) const {
-        for (const std::uint32_t head : m.titlesOf(block)) {
-            const HeadingWords title = readTitle(m.textOf(head));
-            if (title.state != TestRole::notStated && title.unknownWords < 3) // a title, not prose
-                return title.state;
-        }
-        return TestRole::notStated;
-    }
-
     [[nodiscard]] bool isOfOtherTest(const TableBlock &block) {
         if (m_hasStates) {
-            if (const TestRole state = stateOfBlock(block); state != TestRole::notStated)
+            if (const TestRole state = m.stateOf(block); state != TestRole::notStated)
                 m_blockState = state; // applies until another is named
             if (m_blockState != m.stateFound)
                 return true;
