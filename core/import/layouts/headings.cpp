@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <vector>
 
 namespace palmer {
@@ -87,18 +88,28 @@ NamedSenses sensesIn(std::string_view text) {
     const auto has = [&](std::string_view list) { return count(list) > 0; };
     // "Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre": a clock with a word for against.
     const auto clocks =
-        count("|clockwise|horaire|orario|horario|uhrzeigersinn|uhrzeigers|aiguilles|lancette|agujas|");
+        count("|clockwise|horaire|orario|oraria|horario|horaria|uhrzeigersinn|uhrzeigers|uzs|aiguilles|"
+              "lancette|agujas|часовой|");
     const bool isAgainst =
-        has("|gegen|entgegen|anti|counter|inverse|inverso|contraire|contrario|contro|contra|");
+        has("|gegen|entgegen|anti|counter|inverse|inverso|contraire|contrario|contro|contra|против|");
     if (clocks > 0 && isAgainst)
         return {clocks > 1 || has("|cw|"), true};
     // "Sens trigonométrique": the mathematical sense of angles.
     if (has("|trigo|trigonometrique|trigonometrico|trigonometrica|"))
         return {isAgainst || clocks > 0, !isAgainst};
-    return {clocks > 0 || has("|cw|sh|rechtsdrehend|rechtslauf|rechtsherum|rechtskreis|⟳|") ||
+    // Chinese and Japanese have no blanks; "反時計回り" contains its opposite.
+    const auto contains = [&](std::initializer_list<std::string_view> signs) {
+        return std::ranges::any_of(
+            signs, [&](std::string_view sign) { return low.find(sign) != std::string::npos; });
+    };
+    if (contains({"逆时针", "逆時針", "反時計"}))
+        return {contains({"顺时针", "順時針"}), true};
+    if (contains({"顺时针", "順時針", "時計回り"}))
+        return {true, false};
+    return {clocks > 0 || has("|cw|sh|rechtsdrehend|rechtslauf|rechtsherum|rechtskreis|⟳|↻|") ||
                 hasCode(low, "g2") || hasCode(low, "g02"),
-            has("|ccw|counterclockwise|anticlockwise|antihoraire|acw|sah|antiorario|antihorario|"
-                "gegenuhrzeigersinn|linksdrehend|linkslauf|linksherum|linkskreis|⟲|") ||
+            has("|ccw|counterclockwise|anticlockwise|antihoraire|acw|sah|antiorario|antioraria|antihorario|"
+                "antihoraria|guzs|gegenuhrzeigersinn|linksdrehend|linkslauf|linksherum|linkskreis|⟲|↺|") ||
                 hasCode(low, "g3") || hasCode(low, "g03") || low == "⟲"};
 }
 

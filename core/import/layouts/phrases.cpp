@@ -97,12 +97,13 @@ constexpr std::array phrases{
         "scostamenti|scost|scarto|scarti|errore|errori|deviazione|deviazioni|differenza|es: desviacion|"
         "desviaciones|desv|diferencia|desvio|desvios|cs pl: odchylka|odchylky|chyba|odchyłka|odchyłki|"
         "odchylenie|błąd|błędy|ru: отклонение|отклонения|ошибка|ошибки|погрешность|zh ja: 偏差|误差|誤差"},
-    Phrases{Meaning::actual, Sign::none,
-            "en: actual|measured|meas|ref pos|reference position|fr: reel|reelle|mesuree|atteinte|de: ist|"
-            "istposition|istwert|istpos|istwinkel|gemessen|gemessene|gemessener|it: misurata|misurato|reale|"
-            "effettiva|rilevata|rilevato|es: medida|medido|real|cs pl ru: skutečná|naměřená|rzeczywista|"
-            "zmierzona|фактическая|фактическое|измеренная|измеренное|действительная|zh ja: 实际|实际位置|"
-            "实测|测量值|実測|実際位置|測定値"},
+    Phrases{
+        Meaning::actual, Sign::none,
+        "en: actual|act|measured|meas|ref pos|reference position|fr: reel|reelle|mesuree|atteinte|de: ist|"
+        "istposition|istwert|istpos|istwinkel|gemessen|gemessene|gemessener|it: misurata|misurato|reale|"
+        "effettiva|rilevata|rilevato|es: medida|medido|real|cs pl ru: skutečná|naměřená|rzeczywista|"
+        "zmierzona|фактическая|фактическое|измеренная|измеренное|действительная|zh ja: 实际|实际位置|"
+        "实测|测量值|実測|実際位置|測定値"},
     Phrases{Meaning::reading, Sign::none,
             "fr: mesure|mesures|releve|lecture|en: reading|readings|measurement|de: messwert|messwerte|it: "
             "misura|lettura|es: lectura|medicion"},
@@ -121,13 +122,14 @@ constexpr std::array phrases{
             "en: time|elapsed|timestamp|fr: temps|heure|duree|horodatage|de: zeit|uhrzeit|zeitstempel|it: "
             "tempo|ora|es: tiempo|hora|cs pl ru zh ja: čas|czas|время|时间|時間"},
     Phrases{Meaning::angle, Sign::none,
-            "en fr: angle|angles|de: winkel|it: angolo|es: angulo|*: theta|θ|phi|φ|en fr de: phase"},
+            "en fr: angle|angles|*: ang|de: winkel|it: angolo|es: angulo|*: theta|θ|phi|φ|en fr de: phase"},
     Phrases{Meaning::radius, Sign::none, "en de: radius|fr: rayon|it: raggio|es: radio|*: ρ"},
     Phrases{Meaning::nominal, Sign::none,
             "en: nominal radius|radius nominal|fr: rayon nominal|de: nennradius|sollradius|it: raggio "
             "nominale|es: radio nominal"},
     Phrases{Meaning::target, Sign::none,
-            "en it: target|en: targets|commanded|command|programmed|demanded|set point|setpoint|en fr es: "
+            "en it: target|en: targets|commanded|command|programmed|demanded|desired|des pos|set "
+            "point|setpoint|en fr es: "
             "nominal|fr it: nominale|fr: cible|visee|vise|consigne|theorique|programmee|commandee|de: soll|"
             "sollposition|sollwert|sollpos|sollwinkel|zielposition|zielpos|zielwinkel|ziel|nennposition|"
             "nennwinkel|it: obiettivo|bersaglio|comandata|programmata|it es: teorica|es: objetivo|consigna|"
@@ -343,6 +345,8 @@ public:
         m.isTarget = has(Meaning::target);
         m.isActual = has(Meaning::actual) || has(Meaning::reading);
         m.saysDirection = has(Meaning::direction);
+        if (m_isRadius && m.words == 2 && (m.meaning == Meaning::target || m.meaning == Meaning::actual))
+            m_meanings.push_back(m.meaning = Meaning::radius); // "R-Soll", "R act"
         if (has(Meaning::target) && has(Meaning::radius))
             m.meaning = Meaning::nominal;
         if (m_found != m_left)
@@ -426,6 +430,7 @@ private:
     void takeUnknown(const Token &token) {
         constexpr std::string_view axes = "xyzuvwabc";
         constexpr std::string_view symbols = "smer"; // in ISO 230-2, per target: "R↑", "2s↓"
+        m_isRadius |= token.text == "r";
         m_symbol = token.text.size() == 1 && symbols.find(token.text[0]) != std::string_view::npos;
         if (token.text.size() == 1 && axes.find(token.text[0]) != std::string_view::npos) {
             if (m.axis == 0)
@@ -463,7 +468,8 @@ private:
     bool m_dash = false;
     bool m_found = false;
     bool m_left = false;
-    bool m_symbol = false; ///< a letter the standard uses for a computed value, without a number after it
+    bool m_symbol = false;   ///< a letter the standard uses for a computed value, without a number after it
+    bool m_isRadius = false; ///< "R"
     bool m_isDirection = false;
 };
 
@@ -489,9 +495,11 @@ bool isOfSense(const Token &token) {
         "|circle|circular|contour|arc|path|ballbar|kreis|kreisform|kreisformtest|kreistest|cercle|circulaire"
         "|cerchio|circolare|circulo|las|alle|delle|al|le"
         "|linksdrehend|linkslauf|linksherum|linkskreis|rechtsdrehend|rechtslauf|rechtsherum|rechtskreis"
-        "|im|den|sinn|gegen|entgegen|uhrzeigersinn|gegenuhrzeigersinn|uhrzeigers"
-        "|senso|orario|antiorario|inverso|contrario|contro|lancette|trigonometrico|trigonometrica"
-        "|sentido|horario|antihorario|contra|agujas|reloj|⟲|⟳|";
+        "|im|den|sinn|gegen|entgegen|uhrzeigersinn|gegenuhrzeigersinn|uhrzeigers|uzs|guzs"
+        "|senso|orario|oraria|antiorario|antioraria|inverso|contrario|contro|lancette|trigonometrico|"
+        "trigonometrica"
+        "|sentido|horario|horaria|antihorario|antihoraria|contra|agujas|reloj|⟲|⟳|↺|↻"
+        "|по|часовой|стрелке|против|часовая|逆|顺|順|时|時|针|針|反|計|回|り|";
     return words.find('|' + std::string(token.text) + '|') != std::string_view::npos;
 }
 
@@ -511,8 +519,10 @@ HeadingWords readHeading(std::string_view text) {
             heading.hint = sense == Sense::clockwise ? Direction::positive : Direction::negative;
         heading.isHintWord = false;
     }
-    if (tokens.size() == 1 && !tokens[0].isNumber && tokens[0].text.size() == 1 &&
-        heading.meaning == Meaning::unknown) {
+    // "Y mm": a row of units below.
+    const bool isAlone = tokens.size() == 1 ||
+                         (tokens.size() == 2 && unitIn('(' + std::string(tokens[1].text) + ')') != nullptr);
+    if (isAlone && !tokens[0].isNumber && tokens[0].text.size() == 1 && heading.meaning == Meaning::unknown) {
         heading.meaning = meaningOfLetter(tokens[0].text);
         heading.unknownWords = heading.meaning == Meaning::unknown ? heading.unknownWords : 0;
     }

@@ -101,6 +101,10 @@ bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width, 
         ++filled;
     }
     const bool beginsBehindTargets = first < cells.size() && cells[first].kind == CellKind::empty;
+    // "; Exported by …": a remark marked by what separates the columns.
+    if (beginsBehindTargets && filled == 1 && row.count < width &&
+        readHeading(table.text(cells.back())).unknownWords > 0)
+        return false;
     return beginsBehindTargets ? filled > 0 : filled > 1 && filled < width && (gaps > 0 || repeated > 0);
 }
 
@@ -123,19 +127,28 @@ bool addsToHeadings(const CellTable &table, const TableRow &row) {
     return known > 1 || (known == 1 && trimmed(table.cells(row)).size() > 1);
 }
 
-/// "# angle; x; y": takes as many words as there are columns.
-void takeFromComment(const CellTable &table, const TableRow &row, std::vector<TableColumn> &columns) {
-    const std::string_view text = table.text(table.cells(row).front());
-    const CellTable line = readTable(std::string(text), {table.delimiter.value, table.decimalMark.value});
-    if (line.rows().empty() || columns.size() < 2)
-        return;
-    const auto cells = line.cells(line.rows().front());
-    // "#;Target;…": the mark is the heading of a counter.
-    const std::size_t first = cells.size() > 1 && cells.size() + 1 == columns.size() ? 1 : 0;
-    if (cells.size() + first != columns.size())
-        return;
-    for (std::size_t c = 0; c < cells.size(); ++c)
-        columns[c + first].heading = line.text(cells[c]);
+/// "# angle; x; y": takes as many words as there are columns; false if there are others.
+bool takeFromComment(const CellTable &table, const TableRow &row, std::vector<TableColumn> &columns) {
+    std::string text(table.text(table.cells(row).front()));
+    const auto takeParted = [&](Delimiter delimiter) {
+        const CellTable line = readTable(text, {delimiter, table.decimalMark.value});
+        if (line.rows().empty() || columns.size() < 2)
+            return false;
+        const auto cells = line.cells(line.rows().front());
+        // "#;Target;…": the mark is the heading of a counter.
+        const std::size_t first = cells.size() > 1 && cells.size() + 1 == columns.size() ? 1 : 0;
+        for (std::size_t c = 0; c < cells.size() && cells.size() + first == columns.size(); ++c)
+            columns[c + first].heading = line.text(cells[c]);
+        return cells.size() + first == columns.size();
+    };
+    if (takeParted(table.delimiter.value))
+        return true;
+    if (table.delimiter.value != Delimiter::blanks)
+        return false;
+    // "# Nom X   Act X": headings of several words.
+    for (std::size_t at = text.find("  "); at != std::string::npos; at = text.find("  ", at + 1))
+        text.replace(at, std::min(text.find_first_not_of(' ', at), text.size()) - at, "\t");
+    return takeParted(Delimiter::tab);
 }
 
 bool saysUnit(std::string_view text) {
@@ -591,8 +604,9 @@ void findSections(const CellTable &table, TableBody &body) {
         const auto [rows, looseUnits] = HeadingSearch(table, block, bare).find();
         std::vector<TableColumn> columns = bare;
         if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment &&
-            !table.rows()[block.heads.back()].aside)
-            takeFromComment(table, table.rows()[block.heads.back()], columns); // the comment is the heading
+            !table.rows()[block.heads.back()].aside &&
+            takeFromComment(table, table.rows()[block.heads.back()], columns))
+            body.columnHeads.push_back(block.heads.back()); // the comment is the heading
         if (!takeFromProperties(table, block, columns)) {
             composeHeadings(table, rows, columns);
             spreadHeadings(columns);
