@@ -8447,16 +8447,32 @@
         <translation>Avec les points réels&#xa0;: S = %1, pour le reste comme à l’essai %2.</translation>
     </message>
     <message>
+        <source>Sense: no word says which column is clockwise; all are read as the angles run. A column can be given + (counterclockwise) or - (clockwise).</source>
+        <translation>Sens&#xa0;: aucun mot ne dit quelle colonne est horaire&#x202f;; toutes sont lues dans le sens des angles. Une colonne peut recevoir + (antihoraire) ou - (horaire).</translation>
+    </message>
+    <message>
+        <source>Columns: the headings name several tests (%1); those of “%2” are read, the others are tests of their own.</source>
+        <translation>Colonnes&#xa0;: les titres nomment plusieurs essais (%1)&#x202f;; celles de «&#xa0;%2&#xa0;» sont lues, les autres forment des essais à part.</translation>
+    </message>
+    <message>
+        <source>Angular overshoot: the points run over %1; all are evaluated.</source>
+        <translation>Dépassement angulaire&#xa0;: les points couvrent %1&#x202f;; tous sont évalués.</translation>
+    </message>
+    <message>
+        <source>Angular overshoot: %1 is stated, but the points run over %2; nothing is cut off.</source>
+        <translation>Dépassement angulaire&#xa0;: %1 est indiqué, mais les points couvrent %2&#x202f;; rien n’est coupé.</translation>
+    </message>
+    <message>
+        <source>Centre and nominal radius: those of the commanded positions, %1; %2 and %3.</source>
+        <translation>Centre et rayon nominal&#xa0;: ceux des positions programmées, %1&#x202f;; %2 et %3.</translation>
+    </message>
+    <message>
         <source>Runs without readings: %1.</source>
         <translation>Passes sans relevé&#xa0;: %1.</translation>
     </message>
     <message>
         <source>the unit “%1” of the nominal length is not known; state the length in mm as nominalRadius</source>
         <translation>l’unité «&#xa0;%1&#xa0;» de la longueur nominale n’est pas connue&#x202f;; indiquer la longueur en mm par nominalRadius</translation>
-    </message>
-    <message>
-        <source>Sense: no word says which column is clockwise; both are read as the angles run.</source>
-        <translation>Sens&#xa0;: aucun mot ne dit quelle colonne est horaire&#x202f;; les deux sont lues dans le sens des angles.</translation>
     </message>
     <message>
         <source>Sign: the positions beside the deviations tell that these are target − actual; read so.</source>

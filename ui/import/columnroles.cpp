@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QStandardItemModel>
+#include <algorithm>
 #include <array>
 
 namespace palmer::ui {
@@ -61,13 +62,23 @@ QString nameOf(ColumnRole role) {
     return {};
 }
 
-/// "run 2 ↑"
-QString nameOf(const ImportColumn &column) {
+/// True for columns of a circle: their directions are senses.
+bool areOfCircle(const std::vector<ImportColumn> &columns) {
+    return std::ranges::any_of(columns, [](const ImportColumn &column) {
+        return column.role == ColumnRole::angle || column.role == ColumnRole::x;
+    });
+}
+
+/// "run 2 ↑", "radius ↺"
+QString nameOf(const ImportColumn &column, bool isOfCircle) {
     QString name = nameOf(column.role);
     if (column.number > 0)
         name += QStringLiteral(" %1").arg(column.number);
-    if (column.direction)
-        name += *column.direction == Direction::positive ? QStringLiteral(" ↑") : QStringLiteral(" ↓");
+    const bool isPositive = column.direction == Direction::positive;
+    if (column.direction && isOfCircle)
+        name += isPositive ? QStringLiteral(" ↺") : QStringLiteral(" ↻");
+    else if (column.direction)
+        name += isPositive ? QStringLiteral(" ↑") : QStringLiteral(" ↓");
     return name;
 }
 
@@ -110,9 +121,10 @@ void ColumnRoles::showColumns(const std::vector<ImportColumn> &columns) {
         auto *head = new QStandardItem(heading);
         head->setToolTip(heading);
         m_model->setHorizontalHeaderItem(c, head);
-        auto *item = new QStandardItem(nameOf(column) + QStringLiteral(" ▾"));
+        auto *item = new QStandardItem(nameOf(column, areOfCircle(columns)) + QStringLiteral(" ▾"));
         item->setToolTip(tr("What the column “%1” is; click to change it").arg(heading));
-        item->setData(QStringLiteral("%1: %2").arg(heading, nameOf(column)), Qt::AccessibleTextRole);
+        item->setData(QStringLiteral("%1: %2").arg(heading, nameOf(column, areOfCircle(columns))),
+                      Qt::AccessibleTextRole);
         item->setTextAlignment(Qt::AlignCenter);
         if (column.direction)
             item->setForeground(
@@ -149,7 +161,7 @@ void ColumnRoles::openMenu(int column) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const auto add = [&](ColumnRole role, std::optional<Direction> direction) {
         ImportColumn wanted{role, direction, 0, now.unit, now.heading};
-        QAction *action = menu->addAction(nameOf(wanted));
+        QAction *action = menu->addAction(nameOf(wanted, areOfCircle(m_columns)));
         action->setCheckable(true);
         action->setChecked(now.role == role && now.direction == direction);
         action->setData(QString::fromStdString(wordOf({wanted})));
@@ -158,7 +170,8 @@ void ColumnRoles::openMenu(int column) {
     };
     for (const ColumnRole role : roles) {
         add(role, {});
-        if (!ImportColumn{role}.hasReadings())
+        const ImportColumn any{role};
+        if (!any.hasReadings() && !(any.canHaveDirection() && areOfCircle(m_columns)))
             continue;
         add(role, Direction::positive);
         add(role, Direction::negative);

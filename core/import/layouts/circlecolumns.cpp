@@ -1,17 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/arcs.h"
-#include "import/layouts/tablereading.h"
 
 #include "document/place.h"
 #include "tables/contenterror.h"
+#include "tables/folded.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
 #include <iterator>
-#include <set>
 #include <utility>
 
 namespace palmer {
@@ -45,11 +42,11 @@ public:
             takeChosen(*chosen);
         if (m_found.seconds.empty())
             refuseCircleColumns();
+        keepOneTest(m, m_found);
         takeNominal();
         resolveLayout();
         m_found.senses = columnOf(m.result.columns, ColumnRole::direction);
         m_found.runs = columnOfRuns();
-        m_found.isSure = !m_question && !m.choices.isChosen("columns");
         return std::move(m_found);
     }
 
@@ -87,10 +84,92 @@ private:
     /// column of angles is known.
     [[nodiscard]] std::vector<std::size_t> readingsByAngle() {
         for (const Meaning meaning : {Meaning::radius, Meaning::deviation}) {
-            if (std::vector<std::size_t> found = m.body.numberColumns(meaning); !found.empty())
-                return found;
+            if (std::vector<std::size_t> found = pathsIn(m.body.numberColumns(meaning)); !found.empty())
+                return withSenses(std::move(found));
         }
         return unnamed();
+    }
+
+    /// Adds columns that name nothing but their sense: "Deviation CCW (µm); CW (µm)".
+    [[nodiscard]] std::vector<std::size_t> withSenses(std::vector<std::size_t> columns) const {
+        const TableColumn &first = m.body.columns[columns.front()];
+        const std::vector<std::size_t> others = m.body.columnsWhere([&](const TableColumn &column) {
+            return column.isNumeric() && column.meaning == Meaning::unknown && column.unit == first.unit &&
+                   senseIn(column.heading);
+        });
+        if (senseIn(first.heading))
+            columns.insert(columns.end(), others.begin(), others.end());
+        std::ranges::sort(columns);
+        return columns;
+    }
+
+    /// The columns that are paths: among those that name a sense, one that names none, or both, is computed
+    /// from them; so is a difference.
+    [[nodiscard]] std::vector<std::size_t> pathsIn(std::vector<std::size_t> columns) const {
+        const auto isSilent = [&](std::size_t c) { return !senseIn(m.body.columns[c].heading); };
+        const auto isComputed = [&](std::size_t c) {
+            const auto [clockwise, counterclockwise] = sensesIn(m.body.columns[c].heading);
+            return (clockwise && counterclockwise) ||
+                   folded(m.body.columns[c].heading).find("diff") != std::string::npos;
+        };
+        if (!std::ranges::all_of(columns, isSilent))
+            std::erase_if(columns, isSilent);
+        else if (m.body.numberColumns().size() > columns.size() + 2)
+            std::erase_if(columns, isComputed);
+        return columns;
+    }
+
+    /// Gives each path its own angles, where there are as many columns of them: "Angle CCW; Radius CCW; Angle
+    /// CW; Radius CW".
+    void takeOwnAngles(const std::vector<std::size_t> &angles) {
+        if (angles.size() != m_found.seconds.size() || angles.size() < 2)
+            return;
+        const auto senseOf = [&](std::size_t c) { return senseOfColumn(m, c); };
+        m_found.firsts = angles;
+        for (std::size_t k = 0; k < angles.size(); ++k) {
+            const auto ofSense = std::ranges::find(angles, senseOf(m_found.seconds[k]), senseOf);
+            if (std::ranges::count(angles, senseOf(m_found.seconds[k]), senseOf) == 1)
+                m_found.firsts[k] = *ofSense;
+        }
+        m_found.first = m_found.firsts.front();
+    }
+
+    /// "X CCW; Y CCW; X CW; Y CW": pairs that differ in sense or number.
+    void takeFurtherCoordinates() {
+        const auto alike = [&](std::size_t column) {
+            const TableColumn &head = m.body.columns[column];
+            return m.body.columnsWhere([&](const TableColumn &other) {
+                return other.isNumeric() && other.meaning == head.meaning &&
+                       other.words.axis == head.words.axis && other.words.stem == head.words.stem;
+            });
+        };
+        const std::vector<std::size_t> firsts = alike(*m_found.first);
+        const std::vector<std::size_t> seconds = alike(m_found.seconds.front());
+        if (firsts.size() != seconds.size() || firsts.size() < 2)
+            return;
+        m_found.firsts = firsts;
+        m_found.seconds = seconds;
+    }
+
+    /// Commanded positions of the axes that are read: called so, or beside those called actual.
+    [[nodiscard]] std::optional<AxisColumns> commandedColumns() const {
+        const bool isChosen = m.choices.isChosen("columns");
+        const auto ofAxis = [&](std::size_t column) {
+            const TableColumn &read = m.body.columns[column];
+            std::vector<std::size_t> others = m.body.columnsWhere([&](const TableColumn &other) {
+                return isPosition(other) && other.words.axis == read.words.axis &&
+                       (other.meaning == Meaning::target ||
+                        (read.meaning == Meaning::actual && other.meaning != Meaning::actual));
+            });
+            std::erase_if(others, [&](std::size_t c) {
+                return isChosen && m.result.columns[c].role != ColumnRole::nominal;
+            });
+            return others;
+        };
+        const std::vector<std::size_t> x = ofAxis(*m_found.first);
+        const std::vector<std::size_t> y = ofAxis(m_found.seconds.front());
+        const bool isOther = x.size() == 1 && y.size() == 1 && x.front() != *m_found.first;
+        return isOther ? std::optional(AxisColumns(x.front(), y.front())) : std::nullopt;
     }
 
     /// Sets the roles of columns by their headings; columns of different roles are never paths of one test.
@@ -98,7 +177,7 @@ private:
         m.result.columns = m.columnsAs({});
         const auto has = [&](Meaning meaning) { return !m.body.numberColumns(meaning).empty(); };
         const std::vector<std::size_t> angle = angleColumns();
-        const auto coordinates = coordinateColumns();
+        const auto coordinates = axisColumns(m);
         m_named = coordinates || !angle.empty();
         const bool hasRadial = has(Meaning::radius) || has(Meaning::deviation);
         // Deviations at nominal points.
@@ -112,6 +191,7 @@ private:
         } else if (isXy) {
             m_found.first = coordinates->first;
             m_found.seconds = {coordinates->second};
+            takeFurtherCoordinates();
         } else if (isPolar) {
             m_found.first = coordinates->first;
             m_found.third = coordinates->second;
@@ -121,9 +201,13 @@ private:
             m_found.first = angle.empty() ? firstUnnamed() : angle.front();
             askForAngles();
             m_found.seconds = readingsByAngle();
+            takeOwnAngles(angle);
         }
+        const ColumnRole ofFirst = isXy || isPolar ? ColumnRole::x : ColumnRole::angle;
         if (m_found.first)
-            setRole(*m_found.first, isXy || isPolar ? ColumnRole::x : ColumnRole::angle);
+            setRole(*m_found.first, ofFirst);
+        for (const std::size_t first : m_found.firsts)
+            setRole(first, ofFirst);
         for (const std::size_t c : m_found.seconds)
             setRole(c, m_found.first && isXy                              ? ColumnRole::y
                        : m_found.first && meaningOf(c) == Meaning::radius ? ColumnRole::radius
@@ -135,39 +219,12 @@ private:
             setRole(*runs, ColumnRole::number);
     }
 
-    /// Two columns named after axes, in the order of the plane: the stated one, otherwise the table's.
-    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> coordinateColumns() const {
-        std::vector<std::size_t> found;
-        const auto letter = [&](std::size_t c) { return m.body.columns[c].words.axis; };
-        using Meanings = std::initializer_list<Meaning>;
-        for (const Meanings &meanings :
-             {Meanings{Meaning::x, Meaning::y}, Meanings{Meaning::actual}, Meanings{Meaning::target}}) {
-            if (found.size() > 1)
-                break;
-            found.clear();
-            for (const std::size_t c : m.body.numberColumns()) {
-                if (isOneOf(meaningOf(c), meanings) && letter(c) != 0 &&
-                    std::ranges::find(found, letter(c), letter) == found.end())
-                    found.push_back(c);
-            }
-        }
-        if (found.size() < 2)
-            return {};
-        const std::string plane =
-            upperCase(m.choices.isChosen("plane") ? m.choices.chosen("plane") : m.notes.plane);
-        if (plane.size() == 2) {
-            const auto first = std::ranges::find(found, plane[0], letter);
-            const auto second = std::ranges::find(found, plane[1], letter);
-            if (first != found.end() && second != found.end() && first != second)
-                return std::pair(*first, *second);
-        }
-        const bool isYx = letter(found[0]) == 'Y' && letter(found[1]) == 'X';
-        return isYx ? std::pair(found[1], found[0]) : std::pair(found[0], found[1]);
-    }
-
     /// The first column that is no counter of points.
     [[nodiscard]] std::size_t firstUnnamed() const {
-        const std::vector<std::size_t> columns = m.body.numberColumns();
+        std::vector<std::size_t> columns = m.body.columnsWhere(
+            [](const TableColumn &column) { return column.isNumeric() && !column.isTime(); });
+        if (columns.empty())
+            columns = m.body.numberColumns();
         const bool counts = columns.size() > 1 && isCounter(m, columns.front()) &&
                             (columns.size() > 2 || meaningOf(columns.front()) == Meaning::index);
         return columns[counts ? 1 : 0];
@@ -225,13 +282,16 @@ private:
     void takeChosen(const std::vector<ImportColumn> &chosen) {
         m_found = {};
         m_named = true;
+        std::vector<std::size_t> firsts;
         for (std::size_t c = 0; c < chosen.size(); ++c) {
             const ColumnRole role = chosen[c].role;
-            if (!m_found.first && (role == ColumnRole::angle || role == ColumnRole::x))
-                m_found.first = c;
+            if (role == ColumnRole::angle || role == ColumnRole::x)
+                firsts.push_back(c);
             if (role == ColumnRole::radius || role == ColumnRole::y || role == ColumnRole::deviation)
                 m_found.seconds.push_back(c);
         }
+        if (!firsts.empty())
+            m_found.first = firsts.front();
         const auto roleOf = [&](std::size_t c) { return chosen[c].role; };
         const auto y = std::ranges::find(m_found.seconds, ColumnRole::y, roleOf);
         if (m_found.first && roleOf(*m_found.first) == ColumnRole::x && y != m_found.seconds.end() &&
@@ -246,6 +306,8 @@ private:
             (!m_found.first && roleOf(m_found.seconds.front()) != ColumnRole::deviation))
             refuseCircleColumns();
         m.result.columns = chosen;
+        if (!m_found.third)
+            takeOwnAngles(firsts);
         if (!columnOf(m.result.columns, ColumnRole::direction))
             takeSenses();
     }
@@ -317,11 +379,18 @@ private:
         // The layout determines the columns, even if it was chosen against their headings.
         if (m_found.third && choice.value == "xy")
             m_found.seconds = {*std::exchange(m_found.third, std::nullopt)};
-        if (m_found.first && !m_found.third)
-            setRole(*m_found.first, choice.value == "xy" ? ColumnRole::x : ColumnRole::angle);
-        for (const std::size_t second : m_found.seconds)
+        for (const std::size_t second : m_found.seconds) {
+            if (m_found.first && !m_found.third)
+                setRole(*m_found.firstOf(second), choice.value == "xy" ? ColumnRole::x : ColumnRole::angle);
             setRole(second, layout->second);
+        }
         m_found.layout = choice.value;
+        if (choice.value == "xy")
+            m_found.commanded = commandedColumns();
+        if (m_found.commanded) {
+            setRole(m_found.commanded->first, ColumnRole::nominal);
+            setRole(m_found.commanded->second, ColumnRole::nominal);
+        }
     }
 
     TableReading &m;
@@ -330,70 +399,7 @@ private:
     bool m_named = false;
 };
 
-struct Extent {
-    double low = INFINITY;
-    double high = -INFINITY;
-
-    void add(double value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    [[nodiscard]] double size() const { return high - low; }
-};
-
-/// True if a column that is not read says the same as the one that is, up to rounding.
-bool agree(const TableReading &reading, std::size_t read, std::size_t other, const RadialOf &radial) {
-    constexpr double part = 0.25; // of the larger range
-    const Unit *unit = reading.body.columns[other].unit;
-    for (const double factor : unit ? std::vector{unit->toBase(1)} : std::vector{1.0, 0.001}) {
-        Extent ofRead;
-        Extent ofOther;
-        Extent ofDifference;
-        for (const TableBlock &block : reading.body.blocks) {
-            for (const std::uint32_t row : block.rows) {
-                const auto a = radial(row, read);
-                const auto b = reading.numberAt(row, other);
-                if (!a || !b)
-                    continue;
-                ofRead.add(*a);
-                ofOther.add(factor * *b);
-                ofDifference.add(*a - factor * *b);
-            }
-        }
-        if (ofDifference.size() <= part * std::max(ofRead.size(), ofOther.size()))
-            return true;
-    }
-    return false;
-}
-
 } // namespace
-
-void askForUnread(TableReading &reading, const CircleColumns &columns, const RadialOf &radial) {
-    const std::vector<TableColumn> &heads = reading.body.columns;
-    const auto isIgnored = [&](std::size_t c) {
-        return reading.result.columns[c].role == ColumnRole::ignored;
-    };
-    std::set<std::size_t> compared;
-    for (const Meaning meaning : {Meaning::radius, Meaning::deviation}) {
-        std::vector<std::size_t> unread = reading.body.numberColumns(meaning);
-        std::erase_if(unread, std::not_fn(isIgnored));
-        for (std::size_t k = 0; k < unread.size() && unread.size() == columns.seconds.size(); ++k) {
-            compared.insert(unread[k]);
-            if (!agree(reading, columns.seconds[k], unread[k], radial))
-                reading.remarks.problem(
-                    "columns",
-                    REPORT_TEXT("report", "Columns: “%1” says something else than “%2”, which is read."),
-                    excerpt(heads[unread[k]].heading), excerpt(heads[columns.seconds[k]].heading));
-        }
-    }
-    reading.remarkUnread([&](std::size_t c) { return !isIgnored(c) || heads[c].meaning == Meaning::index; },
-                         [&](std::size_t c) {
-                             return heads[c].isNumeric() && !compared.contains(c) &&
-                                    isOneOf(heads[c].meaning,
-                                            {Meaning::radius, Meaning::deviation, Meaning::reading,
-                                             Meaning::actual, Meaning::run});
-                         });
-}
 
 void refuseCircleColumns() {
     refuseContent(REPORT_TEXT("report", "these columns do not make a circle; expected x and y, angle and "
@@ -402,6 +408,60 @@ void refuseCircleColumns() {
 
 bool isLayoutOfCircles(std::string_view word) {
     return std::ranges::find(circleLayouts, word, &CircleLayout::word) != circleLayouts.end();
+}
+
+bool isPosition(const TableColumn &column) {
+    constexpr std::string_view linearAxes = "XYZUVW";
+    return column.isNumeric() && linearAxes.find(column.words.axis) != std::string_view::npos &&
+           (column.meaning != Meaning::unknown ||
+            (column.foreignUnit.empty() && (!column.unit || column.isIn(UnitKind::length)))) &&
+           isOneOf(column.meaning, {Meaning::actual, Meaning::x, Meaning::y, Meaning::place, Meaning::reading,
+                                    Meaning::unknown, Meaning::target});
+}
+
+std::optional<AxisColumns> axisColumns(const TableReading &reading) {
+    const auto letter = [&](std::size_t c) { return reading.body.columns[c].words.axis; };
+    std::vector<std::size_t> found;
+    using Meanings = std::initializer_list<Meaning>;
+    for (const Meanings &meanings : {Meanings{Meaning::actual}, Meanings{Meaning::x, Meaning::y},
+                                     Meanings{Meaning::place, Meaning::reading}, Meanings{Meaning::unknown},
+                                     Meanings{Meaning::target}}) {
+        if (found.size() > 1)
+            break;
+        found.clear();
+        for (const std::size_t c : reading.body.numberColumns()) {
+            if (isOneOf(reading.body.columns[c].meaning, meanings) && isPosition(reading.body.columns[c]) &&
+                std::ranges::find(found, letter(c), letter) == found.end())
+                found.push_back(c);
+        }
+    }
+    constexpr double still = 0.01; // of the longest way
+    const auto wayOf = [&](std::size_t c) {
+        const auto [low, high] = reading.rangeOf(c);
+        return high - low;
+    };
+    if (found.size() > 2) {
+        const double longest = wayOf(*std::ranges::max_element(found, {}, wayOf));
+        std::erase_if(found, [&](std::size_t c) { return wayOf(c) < still * longest; });
+    }
+    if (found.size() < 2)
+        return {};
+    const std::string plane =
+        upperCase(reading.choices.isChosen("plane") ? reading.choices.chosen("plane") : reading.notes.plane);
+    if (plane.size() == 2) {
+        const auto first = std::ranges::find(found, plane[0], letter);
+        const auto second = std::ranges::find(found, plane[1], letter);
+        if (first != found.end() && second != found.end() && first != second)
+            return AxisColumns(*first, *second);
+    }
+    const bool isYx = letter(found[0]) == 'Y' && letter(found[1]) == 'X';
+    return isYx ? AxisColumns(found[1], found[0]) : AxisColumns(found[0], found[1]);
+}
+
+std::optional<Sense> senseOfColumn(const TableReading &reading, std::size_t column) {
+    if (const auto chosen = reading.result.columns[column].direction)
+        return *chosen == Direction::positive ? Sense::counterclockwise : Sense::clockwise;
+    return senseIn(reading.body.columns[column].heading);
 }
 
 CircleColumns circleColumns(TableReading &reading) {

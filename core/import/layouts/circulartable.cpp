@@ -5,6 +5,7 @@
 #include "import/layouts/tablereading.h"
 
 #include "document/place.h"
+#include "kernel/measurement/plane.h"
 #include "kernel/numerics/angles.h"
 #include "kernel/numerics/leastsquarescircle.h"
 #include "tables/contenterror.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numbers>
 
@@ -22,6 +24,8 @@
 namespace palmer {
 
 namespace {
+
+constexpr double programmedStep = 0.001; ///< mm
 
 double rounded(double value, double step) {
     // Divides by an integer, so that 13.3 is the number people write.
@@ -43,6 +47,7 @@ struct RawPath {
     std::vector<double> first;  ///< angle or x; empty of deviations alone
     std::vector<double> second; ///< radius, deviation or y
     std::optional<Sense> stated;
+    std::optional<std::uint32_t> title; ///< names a sense among other words
 };
 
 class CircleReader {
@@ -68,11 +73,13 @@ public:
             convertAngles(measurement);
         if (measurement.arcs.empty())
             refuseContent(REPORT_TEXT("report", "there are no points of a circle in it"));
+        cutOvershoot(measurement);
         askForSense();
         remarkPaths(measurement, m.remarks);
         if (m_missing > 0)
             m.remarks.problem("unread", REPORT_TEXT("report", "Points without a number were left out: %1."),
                               counted(m_missing));
+        test.role = m.stateFound;
         test.measurement = std::move(measurement);
         m.result.test = std::move(test);
     }
@@ -80,31 +87,68 @@ public:
 private:
     void collectPaths() {
         for (const std::size_t second : m_columns.seconds) {
-            const std::optional<Sense> ofColumn = senseIn(m.body.columns[second].heading);
+            const std::optional<Sense> ofColumn = senseOfColumn(m, second);
+            const std::optional<Sense> ofRun = ofColumn ? ofColumn : senseOfRun(second);
             for (const TableBlock &block : m.body.blocks)
-                collectPaths(block, second, ofColumn ? ofColumn : titledSense(block));
+                collectPaths(block, second, ofRun);
         }
         askForSenses();
     }
 
-    /// The sense of a title that says nothing else. One that says more is remembered.
-    std::optional<Sense> titledSense(const TableBlock &block) {
-        constexpr std::size_t prose = 3; // unknown words
-        for (const std::uint32_t head : m.titlesOf(block)) {
-            const std::string text = m.textOf(head);
-            const HeadingWords title = readHeading(text);
-            if (title.namesSense && title.isTitle())
-                return senseIn(text);
-            const auto [clockwise, counterclockwise] = sensesIn(text);
-            if (!m_unclearTitle && !m_columns.senses && (clockwise || counterclockwise) &&
-                ((clockwise && counterclockwise) || title.unknownWords < prose || title.saysDirection ||
-                 title.meaning == Meaning::angle))
-                m_unclearTitle = head;
+    /// "Run 1 direction: CCW" above a column headed "Run 1".
+    [[nodiscard]] std::optional<Sense> senseOfRun(std::size_t column) const {
+        const auto number = m.body.columns[column].words.number;
+        for (const std::uint32_t note : m.body.notes) {
+            const std::string text = m.textOf(note);
+            const auto sense = senseIn(text);
+            if (number && sense && m.body.columns[column].meaning == Meaning::run) {
+                const HeadingWords title = readHeading(text);
+                if (title.number == number && title.meaning == Meaning::run)
+                    return sense;
+            }
         }
         return {};
     }
 
-    /// Two columns with common angles have the same sense unless a word distinguishes them.
+    /// Takes the sense of a title that says nothing else; one that says more is kept.
+    void takeTitle(const TableBlock &block, RawPath &path) const {
+        constexpr std::size_t prose = 3; // unknown words
+        for (const std::uint32_t head : m.titlesOf(block)) {
+            const std::string text = m.textOf(head);
+            const HeadingWords title = readHeading(text);
+            if (title.namesSense && title.isTitle()) {
+                path.stated = senseIn(text);
+                return;
+            }
+            const auto [clockwise, counterclockwise] = sensesIn(text);
+            if (!path.title && !m_columns.senses && (clockwise || counterclockwise) &&
+                ((clockwise && counterclockwise) || title.unknownWords < prose || title.saysDirection ||
+                 title.meaning == Meaning::angle))
+                path.title = head;
+        }
+    }
+
+    /// The roles of the columns with the senses that paths beside each other could have.
+    [[nodiscard]] std::vector<std::string> answersOfSenses() const {
+        std::vector<std::string> answers;
+        const std::size_t count = m_columns.seconds.size();
+        using Pattern = std::function<std::optional<Direction>(std::size_t)>;
+        const auto up = [](bool is) { return is ? Direction::positive : Direction::negative; };
+        for (const Pattern &pattern : {Pattern([&](std::size_t k) { return up(k % 2 == 0); }),
+                                       Pattern([&](std::size_t k) { return up(k % 2 == 1); }),
+                                       Pattern([&](std::size_t k) { return up(2 * k < count); }),
+                                       Pattern([&](std::size_t k) { return up(2 * k >= count); }),
+                                       Pattern([](std::size_t) { return std::optional<Direction>(); })}) {
+            std::vector<ImportColumn> columns = m.result.columns;
+            for (std::size_t k = 0; k < count; ++k)
+                columns[m_columns.seconds[k]].direction = pattern(k);
+            if (std::string word = wordOf(columns); std::ranges::find(answers, word) == answers.end())
+                answers.push_back(std::move(word));
+        }
+        return answers;
+    }
+
+    /// Columns with common angles have the same sense unless a word distinguishes them.
     void askForSenses() {
         if (!m_unknownSense.empty())
             m.remarks.problem(
@@ -112,12 +156,15 @@ private:
                 REPORT_TEXT("report", "Sense: “%1” is neither clockwise nor counterclockwise to the program; "
                                       "those points are read as their angles run."),
                 excerpt(m_unknownSense));
-        const auto isSilent = [](const RawPath &path) { return !path.stated; };
-        if (m_columns.seconds.size() == 2 && m.body.blocks.size() == 1 && !m_unclearTitle &&
-            std::ranges::any_of(m_paths, isSilent) && m_columns.isSure)
-            m.remarks.problem("columns",
-                              REPORT_TEXT("report", "Sense: no word says which "
-                                                    "column is clockwise; both are read as the angles run."));
+        const auto isSilent = [](const RawPath &path) { return !path.stated && !path.title; };
+        if (m_columns.seconds.size() > 1 && m_columns.firsts.empty() && m.body.blocks.size() == 1 &&
+            std::ranges::any_of(m_paths, isSilent) && !m.choices.isChosen("columns"))
+            m.remarks
+                .problem("columns",
+                         REPORT_TEXT("report", "Sense: no word says which column is clockwise; all are read "
+                                               "as the angles run. A column can be given + "
+                                               "(counterclockwise) or - (clockwise)."))
+                .answers = answersOfSenses();
     }
 
     /// Asks where the angles contradict the named sense, or its words are not all known. If they contradict
@@ -146,8 +193,9 @@ private:
     }
 
     /// The angle of a line, or its x.
-    [[nodiscard]] std::optional<double> firstOf(std::uint32_t row) {
-        const auto first = m_columns.first ? m.number(row, *m_columns.first) : std::nullopt;
+    [[nodiscard]] std::optional<double> firstOf(std::uint32_t row, std::size_t second) {
+        const auto column = m_columns.firstOf(second);
+        const auto first = column ? m.number(row, *column) : std::nullopt;
         const auto y = m_columns.third ? m.number(row, *m_columns.third) : std::nullopt;
         if (!m_columns.third || !first)
             return first;
@@ -165,11 +213,13 @@ private:
         Parting last;
         RawPath path;
         path.stated = stated;
+        if (!stated)
+            takeTitle(block, path);
         path.first.reserve(block.rows.size());
         path.second.reserve(block.rows.size());
         for (const std::uint32_t row : block.rows) {
             part(last, row, path);
-            const auto a = firstOf(row);
+            const auto a = firstOf(row, second);
             const auto b = m.number(row, second);
             if (!b || (m_columns.first && !a)) {
                 ++m_missing;
@@ -178,7 +228,7 @@ private:
             path.second.push_back(*b);
             if (m_columns.first) {
                 path.first.push_back(*a);
-                m.setRole(row, *m_columns.first, CellRole::position);
+                m.setRole(row, *m_columns.firstOf(second), CellRole::position);
             }
             m.setRole(row, second, path.stated == Sense::clockwise ? CellRole::negative : CellRole::positive);
         }
@@ -233,7 +283,8 @@ private:
         constexpr double wholeTurn = 360;
         const double usual = m.choices.usualNumber("arc").value_or(wholeTurn);
         const auto start = m.choices.resolveNumber(
-            "startAngle", m.choices.usualNumber("startAngle").value_or(0), Origin::guessed);
+            "startAngle", m.notes.startAngle.value_or(m.choices.usualNumber("startAngle").value_or(0)),
+            m.notes.startAngle ? Origin::recognised : Origin::guessed);
         const auto way =
             m.choices.resolveNumber("arc", isClockwise ? -std::abs(usual) : usual, Origin::guessed);
         constexpr double mostAngle = 36'000;
@@ -248,9 +299,9 @@ private:
             for (std::size_t i = 0; i < path.second.size(); ++i)
                 path.first.push_back(start.value + extent * static_cast<double>(i) / steps);
         }
-        const char *open = start.origin != Origin::chosen ? "startAngle"
-                           : way.origin != Origin::chosen ? "arc"
-                                                          : "";
+        const char *open = start.origin == Origin::guessed ? "startAngle"
+                           : way.origin == Origin::guessed ? "arc"
+                                                           : "";
         const RawPath &path = m_paths.front();
         m.remarks.add(
             *open == '\0' ? RemarkGrade::note : RemarkGrade::assumption, open,
@@ -259,9 +310,9 @@ private:
     }
 
     [[nodiscard]] std::string planeOfHeadings() const {
-        const std::string a = withoutUnit(m.body.columns[*m_columns.first].heading);
-        const std::string b = withoutUnit(m.body.columns[m_columns.seconds.front()].heading);
-        return a.size() == 1 && b.size() == 1 ? upperCase(a + b) : std::string();
+        const std::string axes{m.body.columns[*m_columns.first].words.axis,
+                               m.body.columns[m_columns.seconds.front()].words.axis};
+        return planeOf(axes) ? axes : std::string();
     }
 
     /// The unit in the heading, otherwise in the lines above.
@@ -314,9 +365,13 @@ private:
             return axis < axes.size() ? m.notes.centre.find(axes[axis]) : m.notes.centre.end();
         };
         const bool isStated = stated(0) != m.notes.centre.end() && stated(1) != m.notes.centre.end();
-        const Origin origin = atOrigin || isStated ? Origin::recognised : Origin::guessed;
+        const std::optional<LeastSquaresCircle> commanded = commandedCircle(*unit);
+        const Origin origin = atOrigin || isStated || commanded ? Origin::recognised : Origin::guessed;
         const auto centreOf = [&](const char *key, std::size_t axis, double fitted) {
-            const double found = isStated ? stated(axis)->second : atOrigin ? 0 : rounded(fitted, 0.1);
+            const double programmed = !commanded  ? rounded(fitted, 0.1)
+                                      : axis == 0 ? rounded(commanded->centre.x, programmedStep)
+                                                  : rounded(commanded->centre.y, programmedStep);
+            const double found = isStated ? stated(axis)->second : atOrigin && !commanded ? 0 : programmed;
             return m.choices.resolveNumber(key, found, origin).value;
         };
         const double cx = centreOf("centreFirst", 0, fit.centre.x);
@@ -325,8 +380,17 @@ private:
             m.remarks.assumption(
                 "centreFirst", REPORT_TEXT("report", "Centre: nothing in the file says it; taken at %1; %2."),
                 Number{cx, Quantity::position}, Number{cy, Quantity::position});
-        const double radius = resolveRadius(nominalOf(fit.radius), Origin::guessed);
-        remarkRadius(radius);
+        const double radius =
+            commanded ? resolveRadius(rounded(commanded->radius, programmedStep), Origin::recognised)
+                      : resolveRadius(nominalOf(fit.radius), Origin::guessed);
+        if (commanded)
+            m.remarks.note({},
+                           REPORT_TEXT("report", "Centre and nominal radius: those of the commanded "
+                                                 "positions, %1; %2 and %3."),
+                           Number{cx, Quantity::position}, Number{cy, Quantity::position},
+                           Number{radius, Quantity::position});
+        else
+            remarkRadius(radius);
         measurement.nominalRadius = radius;
         for (const RawPath &path : m_paths) {
             Arc arc;
@@ -338,15 +402,40 @@ private:
                 arc.radialDeviations.push_back(std::sqrt(x * x + y * y) - radius);
             }
             unwrap(arc.angles);
-            addArcs(measurement, std::move(arc), path.stated);
+            addArcs(measurement, std::move(arc), path);
         }
         askForUnread(m, m_columns, [&](std::uint32_t row, std::size_t second) {
-            const auto x = m.numberAt(row, *m_columns.first);
+            const auto x = m.numberAt(row, *m_columns.firstOf(second));
             const auto y = m.numberAt(row, second);
             return x && y ? std::optional(std::hypot(unit->toBase(*x) - cx, unit->toBase(*y) - cy))
                           : std::nullopt;
         });
         askForCircle(measurement, points, fit.radius);
+    }
+
+    /// The programmed circle, where the table has commanded positions that lie on one.
+    [[nodiscard]] std::optional<LeastSquaresCircle> commandedCircle(const Unit &unit) const {
+        constexpr double accuracy = 0.002; // mm
+        if (!m_columns.commanded)
+            return {};
+        Points points;
+        for (const TableBlock &block : m.body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                const auto x = m.numberAt(row, m_columns.commanded->first);
+                const auto y = m.numberAt(row, m_columns.commanded->second);
+                if (!x || !y)
+                    continue;
+                points.x.push_back(unit.toBase(*x));
+                points.y.push_back(unit.toBase(*y));
+            }
+        }
+        const LeastSquaresCircle fit = leastSquaresCircle(points.view());
+        double worst = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            worst =
+                std::max(worst, std::abs(std::hypot(points.x[i] - fit.centre.x, points.y[i] - fit.centre.y) -
+                                         fit.radius));
+        return fit.valid() && worst < accuracy ? std::optional(fit) : std::nullopt;
     }
 
     /// Asks if the points are a circle: a fit to a straightness line is a circle of 78 m.
@@ -459,7 +548,10 @@ private:
     }
 
     void resolveReference(AngleForm &form) {
-        const auto reference = m.choices.resolve("angleReference", "polar", Origin::guessed);
+        const bool isCommanded =
+            m_columns.first && !m_columns.third && m.body.columns[*m_columns.first].words.isTarget;
+        const auto reference = m.choices.resolve("angleReference", isCommanded ? "commanded" : "polar",
+                                                 isCommanded ? Origin::recognised : Origin::guessed);
         form.reference = reference.value == "commanded" ? AngleReference::commanded : AngleReference::polar;
         if (reference.origin == Origin::guessed)
             m.remarks.assumption("angleReference",
@@ -485,7 +577,7 @@ private:
                                                                : value);
             }
             unwrap(arc.angles);
-            addArcs(measurement, std::move(arc), path.stated);
+            addArcs(measurement, std::move(arc), path);
         }
         askForUnread(m, m_columns, [&](std::uint32_t row, std::size_t second) {
             const auto value = m.numberAt(row, second);
@@ -493,14 +585,54 @@ private:
         });
     }
 
+    /// Cuts off the angular overshoot that the file states, if the points have it; asks where they run on
+    /// beyond whole turns.
+    void cutOvershoot(CircularMeasurement &measurement) {
+        constexpr double turn = 360;
+        double span = 0;
+        double step = 0;
+        for (const Arc &arc : measurement.arcs) {
+            span = std::max(span, std::abs(arc.angles.back() - arc.angles.front()));
+            step = std::max(step, span / static_cast<double>(arc.angles.size()));
+        }
+        const double stated = m.notes.overshoot.value_or(0);
+        const double beyond = std::abs(std::remainder(span, turn));
+        const bool isInPoints = stated > 0 && std::abs(span - 2 * stated - turn) < 2 * step;
+        const bool isDoubtful = span > turn && beyond > 2 * step && !isInPoints;
+        if (stated == 0 && !isDoubtful && !m.choices.isChosen("overshoot"))
+            return;
+        const Choice<double> overshoot = m.choices.resolveNumber(
+            "overshoot", isInPoints ? stated : 0, isDoubtful ? Origin::guessed : Origin::recognised);
+        if (overshoot.value < 0 || 2 * overshoot.value >= std::max(span, step))
+            refuseContent(REPORT_TEXT("report", "start angle, arc or overshoot is beyond sense"));
+        if (overshoot.origin == Origin::guessed)
+            m.remarks.assumption("overshoot",
+                                 REPORT_TEXT("report", "Angular overshoot: the points run over %1; all are "
+                                                       "evaluated."),
+                                 Number{span, Quantity::angle, 1});
+        else if (stated > 0 && overshoot.value == 0)
+            m.remarks.note({},
+                           REPORT_TEXT("report", "Angular overshoot: %1 is stated, but the points run over "
+                                                 "%2; nothing is cut off."),
+                           Number{stated, Quantity::angle, 1}, Number{span, Quantity::angle, 1});
+        for (Arc &arc : measurement.arcs) {
+            const auto [low, high] = std::minmax(arc.angles.front(), arc.angles.back());
+            if (overshoot.value > 0)
+                arc.evaluated = Interval{low + overshoot.value, high - overshoot.value};
+        }
+    }
+
     /// A path that reverses is two arcs. If a stated sense contradicts the angles, the points were listed by
     /// angle, and their order is reversed.
-    void addArcs(CircularMeasurement &measurement, Arc path, std::optional<Sense> stated) {
+    void addArcs(CircularMeasurement &measurement, Arc path, const RawPath &raw) {
+        const std::optional<Sense> stated = raw.stated;
         const std::string_view chosen = m.choices.chosen("sense");
         for (double &angle : path.angles)
             angle = chosen == "mirrored" ? 0 - angle : angle;
         const std::size_t turn = turningPoint(path.angles);
         if (turn > 0 && !stated) {
+            if (raw.title && senseIn(m.textOf(*raw.title)))
+                m_unclearTitle = raw.title;
             Arc second = path;
             const auto at = static_cast<std::ptrdiff_t>(turn);
             second.angles.erase(second.angles.begin(), second.angles.begin() + at);
@@ -515,6 +647,8 @@ private:
             return;
         }
         path.sense = senseOf(path.angles);
+        if (raw.title && senseIn(m.textOf(*raw.title)) != path.sense)
+            m_unclearTitle = raw.title;
         m_stated += stated ? 1 : 0;
         m_turned += stated && *stated != path.sense ? 1 : 0;
         if (stated && *stated != path.sense && chosen != "angles") {
@@ -545,7 +679,7 @@ private:
     std::vector<RawPath> m_paths;
     std::size_t m_missing = 0;
     std::string_view m_unknownSense;             ///< the first word of a column of senses that names none
-    std::optional<std::uint32_t> m_unclearTitle; ///< names a sense among other words
+    std::optional<std::uint32_t> m_unclearTitle; ///< against which the angles run
     std::size_t m_stated = 0;                    ///< paths with a stated sense
     std::size_t m_turned = 0;                    ///< those of them against which the angles run
 };

@@ -25,7 +25,7 @@ std::optional<ImportColumn> columnNamed(std::string_view word) {
         return {};
     ImportColumn column{static_cast<ColumnRole>(found - columnRoleWords.begin())};
     word.remove_prefix(bare);
-    if (!word.empty() && !column.hasReadings())
+    if (!word.empty() && !column.canHaveDirection())
         return {};
     if (!word.empty() && (word.front() == '+' || word.front() == '-')) {
         column.direction = word.front() == '+' ? Direction::positive : Direction::negative;
@@ -74,7 +74,7 @@ std::string roleWords() {
     std::string list;
     for (const std::string_view word : columnRoleWords)
         list += (list.empty() ? "" : ", ") + std::string(word);
-    return list + ", run+, run-, run+1 …";
+    return list + ", run+, run-, run+1 …, radius+, radius- …";
 }
 
 } // namespace palmer

@@ -37,7 +37,7 @@ enum class ColumnRole : std::uint8_t {
 /// A column of the recognised table with its role.
 struct ImportColumn {
     ColumnRole role = ColumnRole::ignored;
-    std::optional<Direction> direction = {}; ///< of a run, if stated by the heading
+    std::optional<Direction> direction = {}; ///< of a run, if stated; positive: counterclockwise
     unsigned number = 0;                     ///< of a run, from 1; 0: not stated
     const Unit *unit = nullptr;              ///< of the heading; may be null
     std::string heading = {};
@@ -47,6 +47,10 @@ struct ImportColumn {
     /// True if the column holds readings of a positioning test.
     [[nodiscard]] bool hasReadings() const {
         return role == ColumnRole::run || role == ColumnRole::actual || role == ColumnRole::deviation;
+    }
+    /// True if it can have a direction, or the sense of a path of a circle.
+    [[nodiscard]] bool canHaveDirection() const {
+        return hasReadings() || role == ColumnRole::radius || role == ColumnRole::y;
     }
 };
 

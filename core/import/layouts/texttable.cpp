@@ -4,6 +4,7 @@
 
 #include "document/filewords.h"
 #include "document/place.h"
+#include "import/layouts/arcs.h"
 #include "import/layouts/tablebody.h"
 #include "import/layouts/tablereading.h"
 #include "kernel/measurement/testfacts.h"
@@ -90,15 +91,11 @@ bool areLengthsAtAngles(const TableBody &body) {
     return angles && lengths && !body.columnOf(ColumnKind::directions);
 }
 
-/// Two columns of axes, ignoring others such as a time or counter.
+/// Positions of two axes on a circle, whatever else is beside them: times, commanded positions, a third axis
+/// that stands still.
 bool areAxesOnCircle(const TableReading &reading) {
-    std::vector<std::size_t> axes;
-    for (const std::size_t c : reading.body.numberColumns()) {
-        const Meaning meaning = reading.body.columns[c].meaning;
-        if (meaning == Meaning::x || meaning == Meaning::y)
-            axes.push_back(c);
-    }
-    return axes.size() == 2 && areOnCircle(reading, axes[0], axes[1]);
+    const auto axes = axisColumns(reading);
+    return axes && areOnCircle(reading, axes->first, axes->second);
 }
 
 /// Coordinates along two axes.
@@ -168,17 +165,44 @@ bool choosesTargets(const Choices &choices) {
     return columns && columnOf(*columns, ColumnRole::target);
 }
 
-/// Two columns without words, or three with a counter: points of a circle, if there are many.
-std::string kindOfBareNumbers(const TableReading &reading, Origin &origin) {
+constexpr std::size_t fewPoints = 30;
+
+/// Columns of numbers other than times and a counter.
+std::vector<std::size_t> bareColumns(const TableReading &reading) {
     std::vector<std::size_t> data = reading.body.numberColumns();
+    std::erase_if(data, [&](std::size_t c) { return reading.body.columns[c].isTime(); });
     if (data.size() == 3 && isCounter(reading, data.front()))
         data.erase(data.begin());
-    constexpr std::size_t fewPoints = 30;
+    return data;
+}
+
+/// Two columns that no word tells apart, on a circle: "Time; XPOS; YPOS".
+bool areUnnamedOnCircle(const TableReading &reading) {
+    const std::vector<std::size_t> data = bareColumns(reading);
+    return data.size() == 2 && reading.body.rowCount() >= fewPoints &&
+           areOnCircle(reading, data[0], data[1]) && std::ranges::all_of(data, [&](std::size_t c) {
+               return reading.body.columns[c].meaning == Meaning::unknown;
+           });
+}
+
+/// Two columns without words, or three with a counter: points of a circle, if there are many.
+std::string kindOfBareNumbers(const TableReading &reading, Origin &origin) {
+    const std::vector<std::size_t> data = bareColumns(reading);
     if (data.size() != 2 || reading.body.rowCount() < fewPoints)
         return "positioning";
     origin = Origin::guessed;
     return areOnCircle(reading, data[0], data[1]) || couldBeAngles(reading, data[0]) ? "circular"
                                                                                      : "positioning";
+}
+
+/// Deviations without places, as they are below the radius of a circle.
+bool areDeviationsAlone(const TableBody &body) {
+    const auto is = [](const TableColumn &column) {
+        return column.isNumeric() && !column.isTime() && !column.isTemperature() &&
+               (column.meaning == Meaning::deviation || senseIn(column.heading));
+    };
+    return body.anyColumn(is) && !body.has(Meaning::place) && !body.has(Meaning::target) &&
+           !body.has(Meaning::direction) && !body.blocks.front().numericHead;
 }
 
 /// The kind of measurement indicated by the columns.
@@ -194,15 +218,23 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
     }
     if (reading.notes.radius && hasTwoAxes(body))
         return "circular";
+    if (areAxesOnCircle(reading))
+        return "circular";
     if (isApproached(body))
         return "positioning";
+    if (reading.notes.radius && areDeviationsAlone(body))
+        return "circular";
     const bool positions = has(Meaning::run) || has(Meaning::direction);
     // X and Y over time with temperatures beside them drift; they are no path.
     if (hasTimes(body) && !positions &&
         body.anyColumn([](const TableColumn &c) { return c.isTemperature(); }))
         return seriesKindOf(body, origin);
-    if (isCircular(body) || areAxesOnCircle(reading))
+    if (isCircular(body))
         return "circular";
+    if (areUnnamedOnCircle(reading)) {
+        origin = Origin::guessed;
+        return "circular";
+    }
     // A place next to a measured value is a target, even with clock times.
     const bool placed = has(Meaning::place) && (!body.columnOf(ColumnKind::clock) || has(Meaning::actual));
     if (hasTimes(body) && !positions && !placed) {

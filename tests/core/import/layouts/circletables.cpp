@@ -262,6 +262,11 @@ QString differenceOf(const Imported &imported, const CircleTable &table, double 
     return {};
 }
 
+bool hasDoubts(const Imported &imported) {
+    return std::ranges::find(imported.questions, QuestionGrade::doubtful, &Question::grade) !=
+           imported.questions.end();
+}
+
 } // namespace
 
 /// Random tables of circles with known truth.
@@ -373,6 +378,390 @@ private slots:
         }
         QVERIFY(std::ranges::find(imported.columns, ColumnRole::number, &ImportColumn::role) !=
                 imported.columns.end());
+    }
+
+    /// Paths beside each other and below each other, with the columns and titles that people give them.
+    void pathsHaveTheirOwnColumns_data() {
+        QTest::addColumn<QString>("head");
+        QTest::addColumn<QString>("columns"); // of each line: a angle, p q deviations ↺ ↻, b the angle of q …
+        QTest::addRow("own angles") << "Angle CCW (°);Deviation CCW (µm);Angle CW (°);Deviation CW (µm)"
+                                    << "apbq";
+        QTest::addRow("groups") << "CCW;;CW;\nAngle (°);Deviation (µm);Angle (°);Deviation (µm)"
+                                << "apbq";
+        QTest::addRow("angles first") << "Angle CW (°);Angle CCW (°);CCW (µm);CW (µm)"
+                                      << "bapq";
+        QTest::addRow("difference") << "Angle (°);CCW (µm);CW (µm);Difference (µm)"
+                                    << "apqd";
+        QTest::addRow("difference of runs")
+            << "Run 1 direction: CCW\nRun 2 direction: CW\nAngle (°);Run 1 (µm);Run 2 (µm);Diff. (µm)"
+            << "apqd";
+        QTest::addRow("mean of both") << "Angle (°);CCW (µm);CW (µm);CCW/CW (µm)"
+                                      << "apqm";
+        QTest::addRow("a word above both") << "Angle;Deviation;\n;CCW;CW\n°;µm;µm"
+                                           << "apq";
+        QTest::addRow("German") << "Winkel (°);Abweichung gegen UZS (µm);Abweichung im UZS (µm)"
+                                << "apq";
+        QTest::addRow("Spanish") << "Ángulo (°);Desviación antihoraria (µm);Desviación horaria (µm)"
+                                 << "apq";
+        QTest::addRow("Chinese") << "角度 (°);逆时针 (µm);顺时针 (µm)"
+                                 << "apq";
+        QTest::addRow("arrows") << "Angle (°);Dev ↺ (µm);Dev ↻ (µm)"
+                                << "apq";
+        QTest::addRow("short") << "ang;ccw (µm);cw (µm)"
+                               << "apq";
+    }
+    void pathsHaveTheirOwnColumns() {
+        QFETCH(QString, head);
+        QFETCH(QString, columns);
+        const bool hasOwn = columns.contains('b');
+        QString text = "Nominal radius: 100 mm\n" + head + '\n';
+        const auto there = [](double angle) { return std::round(60 * std::cos(2 * angle * degree)) / 10; };
+        const auto back = [](double angle) { return std::round(50 * std::sin(angle * degree)) / 10; };
+        for (int i = 0; i <= 36; ++i) {
+            const int angle = 10 * i;
+            const int other = hasOwn ? 360 - angle : angle;
+            QStringList line;
+            for (const QChar c : columns)
+                line << QString::number(c == 'a'   ? angle
+                                        : c == 'b' ? other
+                                        : c == 'p' ? there(angle)
+                                        : c == 'q' ? back(other)
+                                        : c == 'd' ? there(angle) - back(angle)
+                                                   : (there(angle) + back(angle)) / 2);
+            text += line.join(';') + '\n';
+        }
+        const Imported imported = importMeasurement(text.toUtf8(), "x.csv");
+        const auto &read = std::get<CircularMeasurement>(imported.test->measurement);
+        QVERIFY2(!hasDoubts(imported), qPrintable(testdata::questions(imported)));
+        QCOMPARE(read.arcs.size(), std::size_t{2});
+        QCOMPARE(read.arcs[0].sense, Sense::counterclockwise);
+        QCOMPARE(read.arcs[1].sense, Sense::clockwise);
+        for (std::size_t i = 0; i <= 36; ++i) {
+            QVERIFY(std::abs(read.arcs[0].radialDeviations[i] * 1000 - there(read.arcs[0].angles[i])) < 1e-6);
+            QVERIFY(std::abs(read.arcs[1].radialDeviations[i] * 1000 - back(read.arcs[1].angles[i])) < 1e-6);
+        }
+    }
+
+    /// No word says which path is which: each offered answer is one of the senses that they could have.
+    void answersGiveTheSenses() {
+        QByteArray text = "Nominal radius: 100 mm\nAngle (°);first (µm);second (µm)\n";
+        for (int i = 0; i < 36; ++i)
+            text += QByteArray::number(10 * i) + ';' + QByteArray::number(i % 5) + ';' +
+                    QByteArray::number(i % 7) + '\n';
+        const Imported asked = importMeasurement(text, "x.csv");
+        const auto question = std::ranges::find_if(asked.questions, [](const Question &each) {
+            return each.id == "columns" && each.grade == QuestionGrade::doubtful;
+        });
+        QVERIFY(question != asked.questions.end());
+        QStringList senses;
+        for (const std::string &answer : question->answers) {
+            const Imported imported = importMeasurement(text, "x.csv", {{"columns", answer}});
+            QVERIFY(!hasDoubts(imported));
+            QString word;
+            for (const Arc &arc : std::get<CircularMeasurement>(imported.test->measurement).arcs)
+                word += arc.sense == Sense::clockwise ? '-' : '+';
+            senses << word;
+        }
+        QCOMPARE(senses.join(' '), "+- -+ ++");
+    }
+
+    /// Paths of several feeds or planes are never one test.
+    void severalTestsAreAsked_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<QString>("read"); // plane, feed, points
+        const auto lines = [](const QString &before, const QString &after, int columns = 1) {
+            QString all;
+            for (int i = 0; i < 36; ++i)
+                all += before + QString::number(10 * i) + QString(";%1").arg(i % 5).repeated(columns) +
+                       after + '\n';
+            return all;
+        };
+        const QString head = "Nominal radius: 100 mm\nOperator: A\n";
+        QTest::addRow("column of feeds")
+            << head + "Angle (°);Deviation (µm);Feed (mm/min)\n" + lines({}, ";500") + lines({}, ";2000")
+            << "2000"
+            << "XY 2000 36";
+        QTest::addRow("column of planes")
+            << head + "Plane;Angle (°);Deviation (µm)\n" + lines("XY;", {}) + lines("G19;", {}) << "G19"
+            << "YZ 0 36";
+        QTest::addRow("feeds above") << head + "Feed: 500 mm/min\nAngle (°);Deviation (µm)\n" +
+                                            lines({}, {}) +
+                                            "\nFeed: 2000 mm/min\nAngle (°);Deviation (µm)\n" + lines({}, {})
+                                     << "2000 mm/min"
+                                     << "XY 2000 36";
+        QTest::addRow("planes in headings")
+            << head + "Angle (°);CCW XY (µm);CCW YZ (µm)\n" + lines({}, {}, 2) << "YZ"
+            << "YZ 0 36";
+        QTest::addRow("feeds in headings")
+            << head + "Angle (°);CCW F500 (µm);CW F500 (µm);CCW F2000 (µm);CW F2000 (µm)\n" + lines({}, {}, 4)
+            << "2000"
+            << "XY 2000 72";
+    }
+    void severalTestsAreAsked() {
+        QFETCH(QString, text);
+        QFETCH(QString, part);
+        QFETCH(QString, read);
+        const Imported asked = importMeasurement(text.toUtf8(), "x.csv");
+        QVERIFY(std::ranges::find(asked.questions, "part", &Question::id) != asked.questions.end());
+        const Imported imported = importMeasurement(text.toUtf8(), "x.csv", {{"part", part.toStdString()}});
+        QVERIFY2(!hasDoubts(imported), qPrintable(testdata::questions(imported)));
+        QCOMPARE(imported.operatorName, "A"); // said above the first test, for all
+        const auto &circle = std::get<CircularMeasurement>(imported.test->measurement);
+        std::size_t points = 0;
+        for (const Arc &arc : circle.arcs)
+            points += arc.angles.size();
+        QCOMPARE(QString::fromStdString(circle.plane.first + circle.plane.second) +
+                     QString(" %1 %2").arg(circle.feed.value_or(0)).arg(points),
+                 read);
+        QCOMPARE(circle.nominalRadius, 100.0);
+    }
+
+    /// Readings as found and as left, beside each other or below each other, are two tests.
+    void statesAreAsked_data() {
+        QTest::addColumn<bool>("areBeside");
+        QTest::addRow("beside") << true;
+        QTest::addRow("below") << false;
+    }
+    void statesAreAsked() {
+        QFETCH(bool, areBeside);
+        QByteArray text = "Nominal radius: 100 mm\n";
+        if (areBeside)
+            text += "Angle (°);As found CCW (µm);As left CCW (µm)\n";
+        for (const int state : {1, 2}) {
+            if (areBeside && state == 2)
+                break;
+            if (!areBeside)
+                text += state == 1 ? "As found\nAngle (°);CCW (µm)\n" : "\nAs left\nAngle (°);CCW (µm)\n";
+            for (int i = 0; i < 36; ++i)
+                text += QByteArray::number(10 * i) + ';' + QByteArray::number(state * (i % 5 - 2)) +
+                        (areBeside ? ';' + QByteArray::number(2 * (i % 5 - 2)) + '\n' : QByteArray("\n"));
+        }
+        const Imported asked = importMeasurement(text, "x.csv");
+        QVERIFY(std::ranges::find(asked.questions, "state", &Question::id) != asked.questions.end());
+        for (const bool isLeft : {false, true}) {
+            const Imported imported =
+                importMeasurement(text, "x.csv", {{"state", isLeft ? "asLeft" : "asFound"}});
+            QVERIFY2(!hasDoubts(imported), qPrintable(testdata::questions(imported)));
+            QCOMPARE(imported.test->role, isLeft ? TestRole::asLeft : TestRole::asFound);
+            const auto &read = std::get<CircularMeasurement>(imported.test->measurement);
+            QCOMPARE(read.arcs.size(), std::size_t{1});
+            QCOMPARE(read.arcs[0].radialDeviations[0], isLeft ? -0.004 : -0.002);
+        }
+    }
+
+    /// The angles of a path: those that the file says are cut off, where it starts, what they are angles of.
+    void anglesAreAsStated() {
+        const QByteArray head = "Nominal radius: 100 mm\n";
+        const auto lines = [](int from, int to) {
+            QByteArray text = "Angle (°);CCW (µm)\n";
+            for (int angle = from; angle <= to; angle += 5)
+                text += QByteArray::number(angle) + ';' + QByteArray::number(angle % 7) + '\n';
+            return text;
+        };
+        const auto arcOf = [](const Imported &imported) {
+            return std::get<CircularMeasurement>(imported.test->measurement).arcs.front();
+        };
+        const auto evaluated =
+            arcOf(importMeasurement(head + "Overshoot: 45°\n" + lines(-45, 405), "x.csv")).evaluated;
+        QCOMPARE(evaluated->from, 0.0);
+        QCOMPARE(evaluated->to, 360.0);
+        QVERIFY(!arcOf(importMeasurement(head + "Overshoot: 45°\n" + lines(0, 360), "x.csv")).evaluated);
+        const Imported longer = importMeasurement(head + lines(-45, 405), "x.csv");
+        QVERIFY(std::ranges::find(longer.questions, "overshoot", &Question::id) != longer.questions.end());
+        QByteArray alone = head + "Start angle: 90°\nDeviation CCW (µm)\n";
+        for (int i = 0; i <= 36; ++i)
+            alone += QByteArray::number(i % 5) + '\n';
+        const Imported deviations = importMeasurement(alone, "x.csv");
+        QCOMPARE(arcOf(deviations).angles.front(), 90.0);
+        QCOMPARE(arcOf(deviations).angles.back(), 450.0);
+        const Imported commanded =
+            importMeasurement(head + "Commanded angle (°)" + lines(0, 360).mid(10), "x.csv");
+        QCOMPARE(arcOf(commanded).angleReference, AngleReference::commanded);
+        QVERIFY(std::ranges::find(commanded.questions, "angleReference", &Question::id) ==
+                commanded.questions.end());
+    }
+
+    /// A column of marks beside the points is asked for.
+    void marksAreAsked() {
+        QByteArray text = "Nominal radius: 100 mm\nAngle (°);CCW (µm);Valid\n";
+        for (int i = 0; i < 36; ++i)
+            text += QByteArray::number(10 * i) + ';' + QByteArray::number(i % 5) + (i == 7 ? ";0\n" : ";1\n");
+        QVERIFY(hasDoubts(importMeasurement(text, "x.csv")));
+    }
+
+    /// Traces of controls and lists of coordinates: which columns are the circle, and about which centre.
+    void coordinatesAreFound_data() {
+        QTest::addColumn<QString>("head");
+        QTest::addColumn<QString>("columns"); // x y actual, u v commanded, t time, c constant, i index
+        QTest::addColumn<QString>("plane");
+        QTest::addRow("row of units") << "Y;X\nmm;mm"
+                                      << "yx"
+                                      << "XY";
+        QTest::addRow("desired and actual")
+            << "t [s];Des_pos X1 [mm];Des_pos Y1 [mm];Act_pos X1 [mm];Act_pos Y1 [mm]"
+            << "tuvxy"
+            << "XY";
+        QTest::addRow("command and feedback") << "Time (ms);POSF(X);POSF(Y);POS CMD(X);POS CMD(Y)"
+                                              << "txyuv"
+                                              << "XY";
+        QTest::addRow("cmd and act") << "X_cmd (mm);Y_cmd (mm);X_act (mm);Y_act (mm)"
+                                     << "uvxy"
+                                     << "XY";
+        QTest::addRow("Soll und Ist") << "Z soll;Z ist;X soll;X ist"
+                                      << "uxvy"
+                                      << "ZX";
+        QTest::addRow("a third axis") << "Nr;X (mm);Y (mm);Z (mm)"
+                                      << "ixcy"
+                                      << "XZ";
+        QTest::addRow("of two words") << "Position de l’axe X (mm);Position de l’axe Y (mm)"
+                                      << "xy"
+                                      << "XY";
+        QTest::addRow("no words") << "Time;XPOS;YPOS"
+                                  << "txy"
+                                  << "XY";
+        QTest::addRow("unknown word") << "X trace (mm);Y trace (mm)"
+                                      << "xy"
+                                      << "XY";
+    }
+    void coordinatesAreFound() {
+        QFETCH(QString, head);
+        QFETCH(QString, columns);
+        QFETCH(QString, plane);
+        const bool isCommanded = columns.contains('u');
+        QString text = head + '\n';
+        const auto deviation = [](double angle) { return 0.004 * std::cos(2 * angle * degree); };
+        for (int i = 0; i <= 72; ++i) {
+            const double angle = 5.0 * i;
+            const double radius = 80 + deviation(angle);
+            QStringList line;
+            for (const QChar c : columns)
+                line << (c == 't'   ? QString::number(0.01 * i)
+                         : c == 'i' ? QString::number(i + 1)
+                         : c == 'c' ? QString("-55.0%1").arg(i % 3)
+                                    : QString::number(c == 'x'   ? 210.5 + radius * std::cos(angle * degree)
+                                                      : c == 'y' ? radius * std::sin(angle * degree) - 40
+                                                      : c == 'u' ? 210.5 + 80 * std::cos(angle * degree)
+                                                                 : 80 * std::sin(angle * degree) - 40,
+                                                      'f', 6));
+            text += line.join(';') + '\n';
+        }
+        const Imported imported = importMeasurement(text.toUtf8(), "x.csv");
+        QVERIFY2(!hasDoubts(imported), qPrintable(testdata::questions(imported)));
+        QVERIFY(std::holds_alternative<CircularMeasurement>(imported.test->measurement));
+        const auto &read = std::get<CircularMeasurement>(imported.test->measurement);
+        QCOMPARE(QString::fromStdString(read.plane.first + read.plane.second), plane);
+        QCOMPARE(read.nominalRadius, 80.0);
+        QCOMPARE(read.arcs.size(), std::size_t{1});
+        for (std::size_t i = 0; i < read.arcs[0].angles.size(); ++i)
+            QVERIFY(std::abs(read.arcs[0].radialDeviations[i] - deviation(read.arcs[0].angles[i])) < 2e-6);
+        QCOMPARE(std::ranges::find(imported.questions, "nominalRadius", &Question::id) ==
+                     imported.questions.end(),
+                 isCommanded);
+    }
+
+    /// Two pairs of the same axes, and no word that says which was commanded: asked.
+    void twoPairsOfAxesAreAsked() {
+        QByteArray text = "X encoder (mm);Y encoder (mm);X scale (mm);Y scale (mm)\n";
+        for (int i = 0; i < 72; ++i) {
+            const QByteArray x = QByteArray::number(80 * std::cos(5 * i * degree), 'f', 5);
+            const QByteArray y = QByteArray::number(80.003 * std::sin(5 * i * degree), 'f', 5);
+            text += x + ';' + y + ';' + x + ';' + y + '\n';
+        }
+        const Imported imported = importMeasurement(text, "x.csv");
+        QVERIFY(std::holds_alternative<CircularMeasurement>(imported.test->measurement));
+        QVERIFY(testdata::questions(imported).contains("X scale (mm), Y scale (mm)"));
+    }
+
+    /// The radius is read in every form, and that of something else is not.
+    void radiusIsRead_data() {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<double>("radius"); // 0: asked
+        const auto row = [](const char *line, double radius) {
+            QTest::newRow(line) << QString(line) << radius;
+        };
+        row("Nominal radius (mm);120", 120);
+        row("Radius;120.000;mm", 120);
+        row("R = 120", 120);
+        row("# Radius;120.0;mm", 120);
+        row("Nominal diameter: 240 mm", 120);
+        row("Durchmesser: 240,0 mm", 120);
+        row("Ø240 mm, XY", 120);
+        row("Ballbar length: 5 in", 127);
+        row("Kreisradius: 12 cm", 120);
+        row("Stylus radius: 3 mm", 0);
+        row("Tool radius 5 mm, R 120 mm", 120);
+        row("Radius: 1,000 mm", 0); // one, or a thousand
+        row("R: 0.012 mm", 0);
+    }
+    void radiusIsRead() {
+        QFETCH(QString, line);
+        QFETCH(double, radius);
+        QByteArray text = line.toUtf8() + "\nAngle (°);CCW (µm)\n";
+        for (int i = 0; i < 36; ++i)
+            text += QByteArray::number(10 * i) + ';' + QByteArray::number(i % 5) + '\n';
+        const Imported imported = importMeasurement(text, "x.csv");
+        const bool isAsked =
+            std::ranges::find(imported.questions, "nominalRadius", &Question::id) != imported.questions.end();
+        QCOMPARE(isAsked, radius == 0);
+        if (radius > 0)
+            QCOMPARE(std::get<CircularMeasurement>(imported.test->measurement).nominalRadius, radius);
+    }
+
+    /// Lines of a head that each say a part, remarks behind the sign that parts the columns.
+    void headsAreRead() {
+        QString text = "; Trace export\n; Date: 2026-03-12 10:25\nCentre X: 30 mm\nCentre Z;-300;mm\n"
+                       "X [mm];Z [mm];t [s]\n";
+        for (int i = 0; i < 36; ++i)
+            text += QString("%1;%2;%3\n")
+                        .arg(30.1 + 80 * std::cos(10 * i * degree), 0, 'f', 5)
+                        .arg(80 * std::sin(10 * i * degree) - 300, 0, 'f', 5)
+                        .arg(i);
+        const Imported imported = importMeasurement(text.toUtf8(), "x.csv");
+        const auto &read = std::get<CircularMeasurement>(imported.test->measurement);
+        QCOMPARE(imported.test->date.value_or(""), "2026-03-12");
+        QVERIFY(std::abs(read.arcs[0].radialDeviations[0] - 0.1) < 1e-5);
+        QVERIFY(std::abs(read.arcs[0].radialDeviations[18] + 0.1) < 1e-5);
+    }
+
+    /// "#" above the columns, with headings of several words.
+    void commentsHeadColumns() {
+        QString text = "#  Nom X    Nom Y    Act X    Act Y    Dev R\n";
+        for (int i = 0; i < 40; ++i) {
+            const double r = 80 + 0.001 * (i % 5);
+            const double a = 9 * i * degree;
+            text += QString("%1 %2 %3 %4 %5 %6\n")
+                        .arg(i + 1)
+                        .arg(80 * std::cos(a), 0, 'f', 4)
+                        .arg(80 * std::sin(a), 0, 'f', 4)
+                        .arg(r * std::cos(a), 0, 'f', 4)
+                        .arg(r * std::sin(a), 0, 'f', 4)
+                        .arg(r - 80, 0, 'f', 4);
+        }
+        const Imported imported = importMeasurement(text.toUtf8(), "x.txt");
+        QVERIFY(std::holds_alternative<CircularMeasurement>(imported.test->measurement));
+        const auto &read = std::get<CircularMeasurement>(imported.test->measurement);
+        QCOMPARE(read.nominalRadius, 80.0);
+        QVERIFY(std::abs(read.arcs[0].radialDeviations[4] - 0.004) < 2e-4);
+        QVERIFY2(!hasDoubts(imported), qPrintable(testdata::questions(imported)));
+    }
+
+    /// A title that says more than the sense is no doubt where the angles run so.
+    void titlesAgreeWithTheAngles() {
+        for (const bool isRight : {true, false}) {
+            QByteArray text = "Nominal radius: 100 mm\n";
+            for (const int sign : {1, -1}) {
+                text += (sign > 0) == isRight ? "Run 1: CCW, feed 1000 mm/min\n"
+                                              : "Run 2: CW, feed 1000 mm/min\n";
+                text += "Angle (°);Deviation (µm)\n";
+                for (int i = 0; i < 36; ++i)
+                    text += QByteArray::number(sign * i * 10) + ';' + QByteArray::number(i % 5) + '\n';
+                text += '\n';
+            }
+            const Imported imported = importMeasurement(text, "x.csv");
+            QCOMPARE(hasDoubts(imported), !isRight);
+            QCOMPARE(std::get<CircularMeasurement>(imported.test->measurement).feed.value_or(0), 1000.0);
+        }
     }
 
     /// Lengths at angles are no rotary axis: without a word of a circle it is asked.

@@ -534,7 +534,7 @@ private slots:
                     QByteArray::number(50 * std::cos(i / 6.0), 'f', 6) + ';' +
                     QByteArray::number(50 * std::sin(i / 6.0), 'f', 6) + '\n';
         const Imported shown = showMeasurement(text, "x.csv");
-        QVERIFY(shown.refusal.has_value());
+        QVERIFY(std::holds_alternative<CircularMeasurement>(shown.test->measurement));
         QCOMPARE(shown.columns.size(), std::size_t(3));
         QCOMPARE(shown.columns[1].heading, "X fActPosition (mm)");
         QCOMPARE(shown.columns[2].heading, "Y fActPosition (mm)");
