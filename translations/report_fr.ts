@@ -8455,6 +8455,10 @@
         <translation>Colonnes&#xa0;: les titres nomment plusieurs essais (%1)&#x202f;; celles de «&#xa0;%2&#xa0;» sont lues, les autres forment des essais à part.</translation>
     </message>
     <message>
+        <source>Columns: “%1” and “%2” are read as paths of one test.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont lues comme des trajectoires d’un même essai.</translation>
+    </message>
+    <message>
         <source>Angular overshoot: the points run over %1; all are evaluated.</source>
         <translation>Dépassement angulaire&#xa0;: les points couvrent %1&#x202f;; tous sont évalués.</translation>
     </message>

@@ -99,6 +99,13 @@ bool readWords(const LabelledValue &said, FileNotes &notes) {
     take(notes.axis, R"(\b(?:axis|axe|achse|asse|eje)\b[\s:=;,|]*([A-Z][0-9]?)\b)");
     take(notes.axis, R"(\b([XYZUVWABC])[ -](?:axis|achse)\b)");
     take(notes.plane, R"(\b(?:plane|plan|ebene|piano|plano)\b[\s:=;,|]*([XYZ]{2})\b)");
+    // "YZ plane", "G19", and the letters alone in the title of a circle
+    for (const char *text : {R"(\b([XYZ]{2})[ -]?(?:plane|ebene)\b)", R"(\b(G1[789])\b)",
+                             R"(\b(?:circ|kreis|cerc|cerch|ballbar).*\b((?-i:XY|YX|YZ|ZY|ZX|XZ))\b)"}) {
+        const auto found = notes.plane.empty() ? captured(text, line) : std::nullopt;
+        if (found && !(notes.plane = planeIn(found->toStdString())).empty())
+            understood = true;
+    }
     const bool isDayLeft = !takeDay(line, !said.label.empty(), notes, understood);
     takeEdition(line, notes, understood);
     if (SaidSign sign = saidSign(line.toStdString()); !sign.sign.empty() && notes.sign.sign.empty()) {

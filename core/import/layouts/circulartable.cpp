@@ -93,6 +93,7 @@ private:
                 collectPaths(block, second, ofRun);
         }
         askForSenses();
+        askForUnlike();
     }
 
     /// "Run 1 direction: CCW" above a column headed "Run 1".
@@ -146,6 +147,25 @@ private:
                 answers.push_back(std::move(word));
         }
         return answers;
+    }
+
+    /// Asks for columns of one sense whose headings differ by more than the number of a run.
+    void askForUnlike() {
+        constexpr unsigned mostRuns = 50;
+        for (std::size_t k = 1; k < m_columns.seconds.size() && !m.choices.isChosen("columns"); ++k) {
+            const TableColumn &other = m.body.columns[m_columns.seconds[k]];
+            for (std::size_t i = 0; i < k; ++i) {
+                const TableColumn &one = m.body.columns[m_columns.seconds[i]];
+                const bool isNumbered =
+                    std::max(one.words.number.value_or(0), other.words.number.value_or(0)) < mostRuns;
+                if (senseIn(one.heading) == senseIn(other.heading) && senseIn(one.heading) &&
+                    (one.words.stem != other.words.stem || !isNumbered))
+                    return (void)m.remarks.problem(
+                        "columns",
+                        REPORT_TEXT("report", "Columns: “%1” and “%2” are read as paths of one test."),
+                        excerpt(one.heading), excerpt(other.heading));
+            }
+        }
     }
 
     /// Columns with common angles have the same sense unless a word distinguishes them.
@@ -593,7 +613,8 @@ private:
         double step = 0;
         for (const Arc &arc : measurement.arcs) {
             span = std::max(span, std::abs(arc.angles.back() - arc.angles.front()));
-            step = std::max(step, span / static_cast<double>(arc.angles.size()));
+            for (std::size_t i = 1; i < arc.angles.size(); ++i) // large if the points are in no order
+                step = std::max(step, std::abs(arc.angles[i] - arc.angles[i - 1]));
         }
         const double stated = m.notes.overshoot.value_or(0);
         const double beyond = std::abs(std::remainder(span, turn));

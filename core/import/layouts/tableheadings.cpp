@@ -139,7 +139,8 @@ bool takeFromComment(const CellTable &table, const TableRow &row, std::vector<Ta
         const std::size_t first = cells.size() > 1 && cells.size() + 1 == columns.size() ? 1 : 0;
         for (std::size_t c = 0; c < cells.size() && cells.size() + first == columns.size(); ++c)
             columns[c + first].heading = line.text(cells[c]);
-        return cells.size() + first == columns.size();
+        return cells.size() + first == columns.size() &&
+               std::ranges::none_of(cells, &TableCell::isNumber); // "# Air 20.1 20.3"
     };
     if (takeParted(table.delimiter.value))
         return true;

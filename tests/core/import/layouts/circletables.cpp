@@ -569,6 +569,12 @@ private slots:
         QVERIFY(!arcOf(importMeasurement(head + "Overshoot: 45°\n" + lines(0, 360), "x.csv")).evaluated);
         const Imported longer = importMeasurement(head + lines(-45, 405), "x.csv");
         QVERIFY(std::ranges::find(longer.questions, "overshoot", &Question::id) != longer.questions.end());
+        QByteArray inNoOrder = "X (mm);Y (mm)\n";
+        for (int i = 0; i < 50; ++i)
+            inNoOrder += QByteArray::number(80 * std::cos(17 * i * i * degree), 'f', 4) + ';' +
+                         QByteArray::number(80 * std::sin(17 * i * i * degree), 'f', 4) + '\n';
+        const Imported points = importMeasurement(inNoOrder, "x.csv");
+        QVERIFY(std::ranges::find(points.questions, "overshoot", &Question::id) == points.questions.end());
         QByteArray alone = head + "Start angle: 90°\nDeviation CCW (µm)\n";
         for (int i = 0; i <= 36; ++i)
             alone += QByteArray::number(i % 5) + '\n';
@@ -660,6 +666,25 @@ private slots:
                  isCommanded);
     }
 
+    /// Columns of one sense whose headings differ are asked about, those of several runs are not.
+    void unlikePathsAreAsked_data() {
+        QTest::addColumn<QString>("head");
+        QTest::addColumn<bool>("isAsked");
+        QTest::addRow("machines") << "CCW Machine A (µm);CCW Machine B (µm)" << true;
+        QTest::addRow("radii") << "CCW R100 (µm);CCW R150 (µm)" << true;
+        QTest::addRow("runs") << "CCW 1 (µm);CCW 2 (µm)" << false;
+        QTest::addRow("both senses") << "Deviation CCW (µm);CW (µm)" << false;
+    }
+    void unlikePathsAreAsked() {
+        QFETCH(QString, head);
+        QFETCH(bool, isAsked);
+        QByteArray text = "Nominal radius: 100 mm\nAngle (°);" + head.toUtf8() + '\n';
+        for (int i = 0; i < 36; ++i)
+            text += QByteArray::number(10 * i) + ';' + QByteArray::number(i % 5) + ';' +
+                    QByteArray::number(i % 3) + '\n';
+        QCOMPARE(hasDoubts(importMeasurement(text, "x.csv")), isAsked);
+    }
+
     /// Two pairs of the same axes, and no word that says which was commanded: asked.
     void twoPairsOfAxesAreAsked() {
         QByteArray text = "X encoder (mm);Y encoder (mm);X scale (mm);Y scale (mm)\n";
@@ -706,6 +731,32 @@ private slots:
         QCOMPARE(isAsked, radius == 0);
         if (radius > 0)
             QCOMPARE(std::get<CircularMeasurement>(imported.test->measurement).nominalRadius, radius);
+    }
+
+    /// The plane stands in a title as often as behind a label.
+    void planeIsRead_data() {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<QString>("plane");
+        const auto row = [](const char *line, const char *plane) {
+            QTest::newRow(line) << QString(line) << QString(plane);
+        };
+        row("Ballbar test YZ plane, R 150 mm, F 1000 mm/min", "YZ");
+        row("Kreisformtest ZX-Ebene R 150 mm", "ZX");
+        row("Circular test G19 R 150 mm", "YZ");
+        row("Circle YZ R150 mm", "YZ");
+        row("Plane: X1-Y1", "XY");
+        row("R 150 mm", "");
+    }
+    void planeIsRead() {
+        QFETCH(QString, line);
+        QFETCH(QString, plane);
+        QByteArray text = line.toUtf8() + "\nAngle (°);CCW (µm)\n";
+        for (int i = 0; i < 36; ++i)
+            text += QByteArray::number(10 * i) + ';' + QByteArray::number(i % 5) + '\n';
+        const Imported imported = importMeasurement(text, "x.csv");
+        const auto choice = std::ranges::find(imported.choices, "plane", &ImportChoice::key);
+        QCOMPARE(choice->origin == Origin::guessed, plane.isEmpty());
+        QCOMPARE(QString::fromStdString(choice->value), plane.isEmpty() ? QString("XY") : plane);
     }
 
     /// Lines of a head that each say a part, remarks behind the sign that parts the columns.
