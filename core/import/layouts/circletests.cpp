@@ -5,6 +5,7 @@
 #include "import/layouts/positioningcolumns.h"
 
 #include "document/place.h"
+#include "import/layouts/sections.h"
 #include "import/notelabels.h"
 #include "tables/contenterror.h"
 #include "tables/dates.h"
@@ -114,8 +115,8 @@ private:
         const PathFacts facts = factsOf(m_columns.seconds.front());
         if (m.notes.plane.empty())
             m.notes.plane = facts.plane;
-        if (!m.notes.feed && !facts.feed.empty())
-            m.notes.feed = std::stod(facts.feed);
+        if (!m.notes.feed)
+            m.notes.feed = numberIn(facts.feed);
         if (!m.notes.date && m.notes.dateText.empty() && !facts.day.empty()) {
             m.notes.date = isoDate(facts.day);
             m.notes.dateText = m.notes.date ? std::string() : facts.day;

@@ -497,6 +497,10 @@ private slots:
             << head + "Angle (°);CCW F500 (µm);CW F500 (µm);CCW F2000 (µm);CW F2000 (µm)\n" + lines({}, {}, 4)
             << "2000"
             << "XY 2000 72";
+        const QString huge = QString(400, u'9');
+        QTest::addRow("a feed that is no number")
+            << head + "Angle (°);CCW F500 (µm);CCW F" + huge + " (µm)\n" + lines({}, {}, 2) << huge
+            << "XY 0 36";
     }
     void severalTestsAreAsked() {
         QFETCH(QString, text);
