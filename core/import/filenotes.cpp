@@ -84,8 +84,6 @@ bool takeDay(const QString &line, bool isLabelled, FileNotes &notes, bool &under
     return isTaken;
 }
 
-constexpr double leastRadius = 0.5; ///< mm; less is a result
-
 /// Reads a text without a label that is known: "Positioning test, X axis, F 1000 mm/min, ISO 230-2:2014".
 bool readWords(const LabelledValue &said, FileNotes &notes) {
     const QString line = statementOf(said);

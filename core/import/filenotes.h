@@ -17,6 +17,8 @@
 
 namespace palmer {
 
+inline constexpr double leastRadius = 0.5; ///< mm, of a circle in a statement; less is a result
+
 /// The recognised statements in the comments and first lines of a table.
 struct FileNotes {
     std::string axis;

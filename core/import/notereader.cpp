@@ -195,7 +195,6 @@ private:
 
     /// "R = 150" has no unit, but no circle is measured in another one; "R: 0.012 mm" is none.
     bool takeRadius(const LabelledValue &said, double part) {
-        constexpr double least = 0.5; // mm
         constexpr double leastBare = 10;
         auto value = inBaseUnit(
             said,
@@ -205,7 +204,7 @@ private:
                 captured(R"(^(\d+(?:[.,]\d+)?)(?:\s*mm)?$)", QString::fromStdString(joined(said.values))));
             value = value >= leastBare ? value : std::nullopt;
         }
-        return value >= least && takeNumber(m.radius, *value * part);
+        return value >= leastRadius && takeNumber(m.radius, *value * part);
     }
 
     struct UnitRow {

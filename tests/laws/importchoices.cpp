@@ -279,6 +279,23 @@ ImportCase circle(Random &random) {
             csvOf({"Angle (°)", isRadius ? "Radius (mm)" : "Deviation (µm)"}, rows)};
 }
 
+/// Paths of several tests, or without a word for their sense: every path is an answer.
+ImportCase paths(Random &random) {
+    const std::array<QStringList, 4> heads{
+        QStringList{"Angle (°)", "CCW F500 (µm)", "CW F500 (µm)", "CCW F2000 (µm)", "CW F2000 (µm)"},
+        QStringList{"Angle (°)", "CCW XY (µm)", "CCW YZ (µm)"},
+        QStringList{"Angle (°)", "As found CCW (µm)", "As left CCW (µm)"},
+        QStringList{"Angle (°)", "Deviation 1 (µm)", "Deviation 2 (µm)"}};
+    const QStringList &head = heads[below(random, heads.size())];
+    std::vector<QStringList> rows;
+    for (int i = 0; i <= 40; ++i) {
+        rows.push_back({QString::number(9 * i)});
+        while (rows.back().size() < head.size())
+            rows.back() << QString::number(static_cast<double>(below(random, 90)) / 10, 'f', 1);
+    }
+    return {csvOf(head, rows)};
+}
+
 ImportCase radialDeviations(Random &random) {
     std::vector<QStringList> rows;
     for (int i = 0; i < 40; ++i)
@@ -362,6 +379,7 @@ constexpr std::array makers{workshop,
                             processVariables,
                             temperatures,
                             circle,
+                            paths,
                             radialDeviations,
                             ballbar,
                             angles};

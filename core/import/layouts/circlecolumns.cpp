@@ -43,6 +43,8 @@ public:
         if (m_found.seconds.empty())
             refuseCircleColumns();
         keepOneTest(m, m_found);
+        if (m_found.seconds.empty() || m.body.blocks.empty()) // "As left" above columns "As found"
+            refuseContent(REPORT_TEXT("report", "there are no points of a circle in it"));
         takeNominal();
         resolveLayout();
         m_found.senses = columnOf(m.result.columns, ColumnRole::direction);

@@ -79,7 +79,7 @@ private:
         if (m_columns.firsts.empty())
             return;
         m_columns.firsts.erase(m_columns.firsts.begin() + at);
-        m_columns.first = m_columns.firsts.front();
+        m_columns.first = m_columns.firsts.empty() ? std::nullopt : std::optional(m_columns.firsts.front());
     }
 
     /// Keeps the paths of one test, asked, where the headings name several: "CCW F500; CCW F2000", "XY; YZ".

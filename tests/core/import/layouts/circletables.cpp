@@ -61,7 +61,7 @@ const std::array vocabularies{
                "Nennradius"},
 };
 
-enum class Form { beside, list, blocks, coordinates, timed };
+enum class Form { beside, ownAngles, list, blocks, coordinates, timed };
 
 struct Path {
     Sense sense = Sense::counterclockwise;
@@ -85,7 +85,7 @@ public:
         , m_words(vocabularies[random() % vocabularies.size()]) {}
 
     CircleTable write() {
-        m_form = static_cast<Form>(m_random() % 5);
+        m_form = static_cast<Form>(m_random() % 6);
         m_comma = m_random() % 2 == 0;
         m_delimiter =
             oneOf(m_comma ? QStringList{";", "\t", "|"} : QStringList{";", "\t", "|", ","}, m_random);
@@ -100,6 +100,9 @@ public:
         switch (m_form) {
         case Form::beside:
             writeBeside();
+            break;
+        case Form::ownAngles:
+            writeOwnAngles();
             break;
         case Form::list:
             writeList();
@@ -176,6 +179,22 @@ private:
         }
     }
 
+    void writeOwnAngles() {
+        QStringList head;
+        const QString angle = oneOf(m_words.angle, m_random);
+        const QString what = oneOf(m_radii ? m_words.radius : m_words.deviation, m_random);
+        for (const Path &path : m_table.paths)
+            head << angle + ' ' + nameOf(path) + inBrackets("°")
+                 << what + ' ' + nameOf(path) + inBrackets(m_unit);
+        m_lines << head.join(m_delimiter);
+        for (std::size_t i = 0; i < m_table.paths.front().angles.size(); ++i) {
+            QStringList line;
+            for (const Path &path : m_table.paths)
+                line << number(path.angles[i], 3) << reading(path.deviations[i]);
+            m_lines << line.join(m_delimiter);
+        }
+    }
+
     void writeList() {
         m_lines << QStringList{oneOf(m_words.angle, m_random) + inBrackets("°"),
                                oneOf(m_radii ? m_words.radius : m_words.deviation, m_random) +
@@ -208,7 +227,11 @@ private:
         m_table.showsCentre = m_random() % 2 == 0;
         const double cx = m_table.showsCentre ? 0 : 250;
         const double cy = m_table.showsCentre ? 0 : -120.5;
-        QStringList head{a + inBrackets("mm"), b + inBrackets("mm")};
+        const bool isCommanded = m_random() % 2 == 0;
+        const QString actual = isCommanded ? " act" : "";
+        QStringList head{a + actual + inBrackets("mm"), b + actual + inBrackets("mm")};
+        if (isCommanded)
+            head << a + " cmd" + inBrackets("mm") << b + " cmd" + inBrackets("mm");
         if (m_form == Form::timed)
             head.prepend("t (s)");
         m_lines << head.join(m_delimiter);
@@ -217,6 +240,9 @@ private:
             const double r = m_table.radius + path.deviations[i] / 1000;
             const double angle = path.angles[i] * degree;
             QStringList line{number(cx + r * std::cos(angle), 6), number(cy + r * std::sin(angle), 6)};
+            if (isCommanded)
+                line << number(cx + m_table.radius * std::cos(angle), 4)
+                     << number(cy + m_table.radius * std::sin(angle), 4);
             if (m_form == Form::timed)
                 line.prepend(number(0.02 * static_cast<double>(i), 2));
             m_lines << line.join(m_delimiter);
@@ -551,6 +577,18 @@ private slots:
             const auto &read = std::get<CircularMeasurement>(imported.test->measurement);
             QCOMPARE(read.arcs.size(), std::size_t{1});
             QCOMPARE(read.arcs[0].radialDeviations[0], isLeft ? -0.004 : -0.002);
+        }
+    }
+
+    /// A title that says otherwise than all columns leaves nothing to read.
+    void statesThatContradictAreRefused() {
+        QByteArray text = "Nominal radius: 100 mm\nAs left\nAngle CCW (°);As found CCW (µm);"
+                          "Angle CW (°);As found CW (µm)\n";
+        for (int i = 0; i < 36; ++i)
+            text += QByteArray::number(10 * i) + ";1;" + QByteArray::number(350 - 10 * i) + ";2\n";
+        for (const char *state : {"", "asFound", "asLeft"}) {
+            const ImportOptions options = *state ? ImportOptions{{"state", state}} : ImportOptions{};
+            QVERIFY_THROWS_EXCEPTION(Error, (void)importMeasurement(text, "x.csv", options));
         }
     }
 
