@@ -43,10 +43,16 @@ public:
         takeUnitOfCells();
         takeColumns();
         listOtherHeads();
+        listOtherColumns();
         return std::move(m_found);
     }
 
 private:
+    /// The unit of a temperature or time beside the readings.
+    [[nodiscard]] static bool isOtherUnit(const Unit *unit) {
+        return unit && unit->kind != UnitKind::length && unit->kind != UnitKind::angle;
+    }
+
     void readTargets(std::uint32_t head) {
         m_targets.clear();
         std::string words;
@@ -54,8 +60,13 @@ private:
         for (std::size_t c = 0; c < cells.size(); ++c) {
             if (cells[c].isNumber())
                 m_targets.push_back({c, cells[c].value});
-            else if (cells[c].kind == CellKind::text && words.size() < 200)
-                words += ' ' + std::string(m.table().text(cells[c]));
+            else if (cells[c].kind == CellKind::text) {
+                const std::string_view text = m.table().text(cells[c]);
+                if (c < m.body.columns.size())
+                    m.body.columns[c].heading = text;
+                if (words.size() < 200 && !isOtherUnit(unitIn(text)))
+                    words += ' ' + std::string(text);
+            }
             m.setRole(head, c, cells[c].isNumber() ? CellRole::position : CellRole::head);
         }
         if (m.table().unitOfRow().unit && m.table().unitOfRow().row == head)
@@ -96,10 +107,8 @@ private:
         const std::string label = labelOf(row);
         const HeadingWords heading = readHeading(label);
         const SaidUnit said = saidUnit(label);
-        const Unit *unit = said.unit;
         if (heading.meaning == Meaning::statistic || heading.meaning == Meaning::other ||
-            heading.meaning == Meaning::temperature ||
-            (unit && unit->kind != UnitKind::length && unit->kind != UnitKind::angle)) {
+            heading.meaning == Meaning::temperature || isOtherUnit(said.unit)) {
             m.remarks.note({"", m.row(row).line},
                            REPORT_TEXT("report", "The line “%1” is not read: it holds no readings."),
                            excerpt(label));
@@ -239,6 +248,22 @@ private:
             m.result.columns[column].direction = direction;
         }
         m.choices.resolve("columns", wordOf(m.result.columns), Origin::recognised);
+    }
+
+    /// "Temperatur (°C)", "Mean" behind the targets: columns without a target.
+    void listOtherColumns() {
+        if (m_targets.empty())
+            return;
+        m.remarkUnread(
+            [&](std::size_t c) {
+                return c < m_targets.front().column || m.result.columns[c].role != ColumnRole::ignored;
+            },
+            [&](std::size_t c) {
+                const HeadingWords heading = readHeading(m.body.columns[c].heading);
+                return m.body.columns[c].isNumeric() &&
+                       isOneOf(heading.meaning, {Meaning::unknown, Meaning::deviation, Meaning::reading,
+                                                 Meaning::run, Meaning::actual});
+            });
     }
 
     struct Target {

@@ -160,6 +160,10 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,ignored,deviation / 0 100 / ↑ 4 5 / columns columns directions");
     row("two units", "Target (mm);Dev 1 (µm);Dev 2 (mm);Dev 3 (µm)\n0;1;0.004;7\n100;2;0.005;8\n",
         "target,deviation1,ignored,deviation3 / 0 100 / ↑ 1 2 / ↓ 7 8 / columns columns directions");
+    row("temperature behind the targets",
+        "Soll-Pos. mm;0.00;30.31;59.49;Temperatur (°C)\n1 Hinfahrt µm;0.3;1.8;0.9;20.0\n"
+        "1 Rückfahrt µm;-0.6;-1.7;0.1;20.2\n",
+        "ignored,run,run,run,ignored / 0 30.31 59.49 / ↑ 0.3 1.8 0.9 / ↓ -0.6 -1.7 0.1 / ");
     row("temperature beside", "Target (mm);↑1 (µm);↓1 (µm);Temp (°C)\n0;1;2;20.1\n100;3;4;20.2\n",
         "target,run+1,run-1,temperature / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
     row("time beside", "Target (mm);Time (s);↑1 (µm);↓1 (µm)\n0;0;1;2\n100;10;3;4\n",

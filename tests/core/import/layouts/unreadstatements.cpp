@@ -40,6 +40,18 @@ class UnreadStatementsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Behind the targets of a table with a line for each run.
+    void computedColumnsBehindTargetsAreNamed() {
+        for (const char *heading : {"Temperatur (°C)", "Mean", "Note"}) {
+            const QByteArray text =
+                QByteArray("Soll-Pos. mm;0;100;200;") + heading + "\n1 ↑ (µm);1;2;3;20\n1 ↓ (µm);4;5;6;21\n";
+            const Imported imported = importMeasurement(text, "x.csv");
+            const QString said = testdata::remarks(imported) + testdata::questions(imported);
+            QVERIFY2(said.contains(heading), qPrintable(said));
+            QVERIFY2(!gradeOf(imported, "positionUnit"), qPrintable(said));
+        }
+    }
+
     /// The words of both sides in five languages, joined in every way: read as they stand, or asked for.
     void differencesGiveTheSign() {
         struct Sides {
@@ -152,6 +164,8 @@ private slots:
              {"X (mm);Y (mm);Deviation (µm)\n80;0;5\n0;80;-7\n-80;0;4\n0;-80;9\n",
               "Angle (°);Radius (mm);Deviation (µm)\n0;80.001;3\n90;80.002;6\n180;80.001;3\n270;80;0\n"})
             QTest::newRow(columns) << QByteArray("Radius: 80 mm\nPlane: XY\n") + columns << "columns";
+        QTest::newRow("a column behind the targets")
+            << QByteArray("Run;0;100;200;Wxyz\n1 ↑ (µm);1;2;3;9\n1 ↓ (µm);4;5;6;8\n") << "columns";
         QTest::newRow("two feeds") << "F1000" + block + "\nF5000" + block << "layout";
         const QByteArray runs =
             "\nTarget (mm);Up 1 (µm);Down 1 (µm);Up 2 (µm);Down 2 (µm)\n0;1;2;3;4\n150;5;6;7;8\n";
