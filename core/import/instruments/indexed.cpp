@@ -128,15 +128,18 @@ private:
                 counted(*m_positions), counted(m_targets.size()));
     }
 
-    /// True for a damaged target or reading: such a name, or a number with two indexes.
+    /// True for a damaged target or reading: such a name, but for texts (REF_PV=…), or a number with two
+    /// indexes.
     [[nodiscard]] static bool isOfData(std::string_view line) {
         constexpr std::size_t longestName = 4;
         const std::string begin = folded(line.substr(0, longestName));
-        const std::size_t equals = line.find('=');
-        const bool isIndexed = equals != std::string_view::npos && line.substr(0, equals).find(',') < equals;
-        return begin == "ref_" || begin == "tgt_" ||
-               (isIndexed &&
-                leadingNumber(withoutBlanks(line.substr(equals + 1)), DecimalMark::point).size > 0);
+        const std::size_t equals = std::min(line.find('='), line.size());
+        const std::string_view name = line.substr(0, equals);
+        const std::string_view value = line.substr(std::min(equals + 1, line.size()));
+        const bool isNumber = leadingNumber(withoutBlanks(value), DecimalMark::point).size > 0;
+        if (begin == "ref_" || begin == "tgt_")
+            return isNumber || value.empty() || name.find('[') != std::string_view::npos;
+        return isNumber && name.find(',') != std::string_view::npos;
     }
 
     bool take(const Assignment &assignment, std::size_t line) {

@@ -60,6 +60,8 @@ bool OtherLines::takeUnit(std::size_t line, std::string_view text, bool ofPositi
     if (meaning != Meaning::unknown && !isOfPlaces && !isOfValues)
         return false; // "Temperature unit"
     const std::string value(withoutBlanks(text.substr(std::min(label.size() + 1, text.size()))));
+    if (namesUnit(value, true))
+        return false; // "UNIT: unit of the readings (mm if not stated)" explains
     SaidUnit said = saidUnit(value.empty() ? text : std::string_view(value));
     if (!said.isSaid() && !value.empty())
         said = saidUnit('(' + value + ')');

@@ -70,11 +70,12 @@ struct HeadingWords {
         return isHintWord && (saysDirection || oppositeIsStated);
     }
 
-    /// True if all words are known and tell readings: a title, neither prose nor "Pressure ↑ 60".
-    [[nodiscard]] bool isTitle() const {
-        return unknownWords == 0 &&
-               !isOneOf(meaning, {Meaning::statistic, Meaning::temperature, Meaning::other, Meaning::time});
+    /// True if no word tells anything but readings.
+    [[nodiscard]] bool isOfReadings() const {
+        return !isOneOf(meaning, {Meaning::statistic, Meaning::temperature, Meaning::other, Meaning::time});
     }
+    /// True if all words are known and tell readings: a title, neither prose nor "Pressure ↑ 60".
+    [[nodiscard]] bool isTitle() const { return unknownWords == 0 && isOfReadings(); }
     /// True if it names a direction and nothing else.
     [[nodiscard]] bool isDirectionOnly() const { return direction && isTitle(); }
 };

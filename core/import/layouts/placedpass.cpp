@@ -278,13 +278,31 @@ std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading)
     return inCycles(std::move(passes));
 }
 
+namespace {
+
+/// "Forward test sequence" above one block and "Backward test sequence" above another: what differs is the
+/// direction, whatever the other words mean.
+bool hasOpposite(const HeadingWords &title, const TableReading &reading) {
+    const auto isOpposite = [&](std::uint32_t head) {
+        const HeadingWords other = readHeading(reading.textOf(head));
+        return other.direction && other.direction != title.direction && other.stem == title.stem &&
+               other.meaning == title.meaning && other.number == title.number;
+    };
+    return std::ranges::any_of(reading.body.blocks, [&](const TableBlock &block) {
+        return std::ranges::any_of(reading.titlesOf(block), isOpposite);
+    });
+}
+
+} // namespace
+
 BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &block) {
     BlockDirection result;
     for (const std::uint32_t head : reading.titlesOf(block)) {
         const HeadingWords heading = readHeading(reading.textOf(head));
         if (heading.direction && heading.hint && heading.direction != heading.hint)
             continue; // "avance 1; retroceso 1": column headings, not a title
-        if (heading.isDirectionOnly()) {
+        if (heading.isDirectionOnly() ||
+            (heading.direction && heading.isOfReadings() && hasOpposite(heading, reading))) {
             result.stated = heading.direction;
             break;
         }

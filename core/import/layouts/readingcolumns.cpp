@@ -258,13 +258,13 @@ private:
         return words(c).hint && (words(c).axis == 'A' || words(c).axis == 'B');
     }
 
-    /// "Reading 1 (mm)" beside "Error 1 (µm)": what follows the targets is the actual position.
+    /// "Reading 1 (mm)", "Encoder (mm)" beside "Error 1 (µm)": what follows the targets is a position.
     void takePositions() {
         const auto isDeviation = [this](std::size_t c) { return role(c) == ColumnRole::deviation; };
         if (std::ranges::none_of(m_result.values, isDeviation))
             return;
         for (const std::size_t c : m_result.values) {
-            if (role(c) == ColumnRole::run && m_heads[c].meaning == Meaning::reading && followsTarget(c))
+            if (role(c) == ColumnRole::run && followsTarget(c))
                 role(c) = ColumnRole::actual;
         }
     }

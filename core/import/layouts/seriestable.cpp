@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace palmer {
 
@@ -129,19 +130,36 @@ private:
         m.result.columns = std::move(chosen);
     }
 
+    /// How many names a column has, and those of at least two rows: a log begins with the last change of each
+    /// variable, and one that does not change has no other.
+    [[nodiscard]] std::pair<std::size_t, std::vector<std::string>> seriesNamedIn(std::size_t column) const {
+        std::vector<std::string> names;
+        std::vector<std::string> repeated;
+        for (const TableBlock &block : m.body.blocks) {
+            for (const std::uint32_t row : block.rows) {
+                std::string name(m.cellText(row, column));
+                if (std::ranges::find(repeated, name) != repeated.end())
+                    continue;
+                if (std::ranges::find(names, name) != names.end())
+                    repeated.push_back(std::move(name));
+                else if (names.size() < 100)
+                    names.push_back(std::move(name));
+            }
+        }
+        const std::size_t count = names.size();
+        if (!repeated.empty())
+            std::erase_if(names, [&repeated](const std::string &name) {
+                return std::ranges::find(repeated, name) == repeated.end();
+            });
+        return {count, std::move(names)};
+    }
+
     /// Takes one of several process variables in a log.
     void chooseSeries() {
         for (std::size_t c = 0; c < m_time; ++c) {
             if (m.body.columns[c].kind != ColumnKind::words || !m_clock)
                 continue;
-            std::vector<std::string> names;
-            for (const TableBlock &block : m.body.blocks) {
-                for (const std::uint32_t row : block.rows) {
-                    const std::string name(m.cellText(row, c));
-                    if (names.size() < 100 && std::ranges::find(names, name) == names.end())
-                        names.push_back(name);
-                }
-            }
+            const auto [count, names] = seriesNamedIn(c);
             if (names.empty())
                 continue;
             m_names = c;
@@ -155,13 +173,13 @@ private:
                               chosen, excerpt(list));
             }
             m_series = isOne ? chosen : names.front();
-            m.choices.resolve("series", m_series, names.size() > 1 ? Origin::guessed : Origin::recognised);
-            if (names.size() < 2)
+            m.choices.resolve("series", m_series, count > 1 ? Origin::guessed : Origin::recognised);
+            if (count < 2)
                 return;
             m.remarks
                 .assumption("series",
                             REPORT_TEXT("report", "Process variable: the file has %1; “%2” is read."),
-                            counted(names.size()), excerpt(m_series))
+                            counted(count), excerpt(m_series))
                 .answers = names;
             return;
         }

@@ -753,10 +753,22 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Compensation spacing 50 mm\nNo.  Axis position  Combined\n1  0.0  0.0\n2  5 0.0  -2.5\n3  100.0  "
         "4.0\n",
         " / 0 100 / ↑ 0 -4 / unit unread");
+    row("words beside indexed values are no damage",
+        "# UNIT : Unit for readings (optional, defaults to "
+        "in)\nREF_PV=IOC:m0s2-Enc\nTGT_SET_PV=IOC:X1\nDEC=4\nUNIT=mm\nTGT_DATA[1]=0\nTGT_DATA[2]=100\n"
+        "REF_DATA_FWD[1,1]=0.001\nREF_DATA_FWD[2,1]=100.002\n",
+        " / 0 100 / ↑ 1 2 / ");
     row("readings whose name is damaged or cut off",
         "UNIT=mm\nTGT_DATA[1]=0\nTGT_DATA[2]=100\nREF_DATA_FWD[1,1]=0.001\nRE?_DATA_FWD[2,1]=100.002\nREF_"
         "DATA",
         " / 0 100 / ↑ 1 – / unread");
+    row("tests named by their directions, positions of several instruments",
+        "Forward test sequence\n\nj (cycle);Target(i,j) [mm];Motor(i,j) [mm];Encoder(i,j) [mm];x(i,j) (diff "
+        "ref-tgt), [mm]\n1;0;0.001;0.5;0.001\n1;100;100.001;100.5;0.002\n2;0;0.001;0.5;0.003\n"
+        "2;100;100.001;100.5;0.004\n\nBackward test sequence\n\nj (cycle);Target(i,j) [mm];Motor(i,j) [mm];"
+        "Encoder(i,j) [mm];x(i,j) (diff ref-tgt), [mm]\n1;0;-0.001;0.5;-0.005\n1;100;99.999;100.5;-0.006\n"
+        "2;0;-0.001;0.5;-0.007\n2;100;99.999;100.5;-0.008\n",
+        "number,target,actual,actual,deviation / 0 100 / ↑ 1 2 / ↓ -5 -6 / ↑ 3 4 / ↓ -7 -8 / ");
     row("own targets, there and back",
         "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;0.5;5\n100;+;2;100.5;6\n"
         "100;-;3;100.5;7\n0;-;4;0.5;8\n",
@@ -900,6 +912,9 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "ignored,ignored,time,deviation / drift  0:1 60:2 86460:3 / kind unit");
     row("archive lines of two variables",
         "MILL:X 2024-03-05 10:00:00 0.001\nMILL:Y 2024-03-05 10:00:00 5\nMILL:X 2024-03-05 10:01:00 0.002\n",
+        "ignored,ignored,time,deviation / drift  0:1 60:2 / kind series unit");
+    row("archive lines after the last change of a variable at rest",
+        "MILL:Y 2024-03-05 09:00:00 5\nMILL:X 2024-03-05 10:00:00 0.001\nMILL:X 2024-03-05 10:01:00 0.002\n",
         "ignored,ignored,time,deviation / drift  0:1 60:2 / kind series unit");
     // Layouts of files from the field, with numbers of our own.
     row("as found and as left above the columns",
