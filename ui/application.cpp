@@ -34,6 +34,7 @@ bool isReplaced(const QFont &font) {
 /// Signs that no font of the machine may have (⚠, ✓, ↺) come from one of the program, and letters from that
 /// of the reports if the machine has no font at all.
 void addFonts() {
+    loadFonts(); // first, as in the command line: a PDF has its fonts in the order of Qt's numbers for them
     QFont font = QApplication::font();
     if (QRawFont::fromFont(font).fontTable("cmap").isEmpty()) { // Qt's boxes
         font.setFamily(paperFamily());

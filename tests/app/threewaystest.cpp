@@ -5,6 +5,7 @@
 #include "app/runcli.h"
 #include "document/savedocument.h"
 #include "import/importmeasurement.h"
+#include "ui/application.h"
 #include "ui/dialogs/reportdialog.h"
 #include "ui/import/importassistant.h"
 #include "ui/window/shownwindow.h"
@@ -142,8 +143,8 @@ private:
 };
 
 PALMER_TEST(runThreeWaysTest) {
-    QHashSeed::setDeterministicGlobalSeed(); // as the programs do
-    QApplication application(argc, argv);
+    QHashSeed::setDeterministicGlobalSeed();              // as the programs do
+    const auto application = makeApplication(argc, argv); // and its fonts
     ThreeWaysTest test;
     return QTest::qExec(&test, argc, argv);
 }

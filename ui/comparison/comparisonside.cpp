@@ -94,7 +94,7 @@ void ComparisonSide::resizeEvent(QResizeEvent *event) {
 /// As high as its text; in a low window a third is left to it, and it scrolls.
 void ComparisonSide::fitMethod() {
     const int whole = m_method->heightForWidth(width() - 2 * pageMargin);
-    m_methodPlace->setFixedHeight(std::min(whole, height() / 3));
+    m_methodPlace->setFixedHeight(std::clamp(whole, 0, height() / 3)); // −1 without text
 }
 
 void ComparisonSide::clear() {

@@ -14,8 +14,10 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QPointer>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTest>
 #include <memory>
 
 /// Prepares a test program as main() prepares the window's, with settings of its own.
@@ -35,6 +37,8 @@ inline void prepareApplication() {
 struct ShownWindow {
     explicit ShownWindow(const QString &file = {}, QSize size = {1280, 800})
         : window(new palmer::ui::MainWindow) {
+        QTest::failOnWarning(
+            QRegularExpression(QStringLiteral("^Q[A-Z]\\w+::"))); // what Qt says of wrong calls
         window->resize(size);
         window->show();
         if (file.isEmpty())
