@@ -540,12 +540,8 @@ void PlanDialog::chooseProgramFile() {
 }
 
 void PlanDialog::choosePlanFile() {
-    QFileDialog dialog(this, tr("Save the plan"));
-    dialog.setObjectName(QStringLiteral("planFileDialog"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("pdf"));
-    if (dialog.exec() == QDialog::Accepted)
-        savePlan(dialog.selectedFiles().constFirst());
+    if (const QString path = askForPdf(this, tr("Save the plan"), tr("Plan of measurement")); !path.isEmpty())
+        savePlan(path);
 }
 
 void PlanDialog::choosePrinter() {

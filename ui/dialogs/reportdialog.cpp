@@ -17,6 +17,7 @@
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/page.h"
+#include "ui/saving.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -26,7 +27,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLocale>
@@ -551,11 +551,8 @@ void ReportDialog::fitWidth() {
 }
 
 void ReportDialog::choosePdf() {
-    QFileDialog dialog(this, tr("Save the report"));
+    SaveDialog dialog(this, tr("Save the report"), {tr("PDF files (*.pdf)")});
     dialog.setObjectName(QStringLiteral("pdfDialog"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilter(tr("PDF files (*.pdf)"));
-    dialog.setDefaultSuffix(QStringLiteral("pdf"));
     // With two languages other file names are written, which are checked here.
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     const QFileInfo file(m_model.path());

@@ -30,7 +30,6 @@
 #include <QClipboard>
 #include <QDrag>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMessageBox>
@@ -519,20 +518,10 @@ void FigureView::askWhereToSave() {
     const auto shown = leaving();
     if (!shown)
         return;
-    const QStringList filters{tr("PDF, vectors (*.pdf)"), tr("SVG, vectors (*.svg)"),
-                              tr("PNG, picture (*.png)")};
-    constexpr std::array suffixes{"pdf", "svg", "png"};
-    auto *dialog = made<QFileDialog>("figureFileDialog", this, tr("Save figure"));
+    auto *dialog = made<SaveDialog>(
+        "figureFileDialog", this, tr("Save figure"),
+        QStringList{tr("PDF, vectors (*.pdf)"), tr("SVG, vectors (*.svg)"), tr("PNG, picture (*.png)")});
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters(filters);
-    // The suffix must be set before the dialog asks about replacing a file.
-    const auto followFilter = [=] {
-        const auto chosen = std::max<qsizetype>(0, filters.indexOf(dialog->selectedNameFilter()));
-        dialog->setDefaultSuffix(QLatin1StringView(suffixes.at(static_cast<std::size_t>(chosen))));
-    };
-    followFilter();
-    connect(dialog, &QFileDialog::filterSelected, dialog, followFilter);
     dialog->selectFile(shown->title + QStringLiteral(".pdf"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { saveTo(path); });
     dialog->open();

@@ -197,11 +197,9 @@ void TemplateButton::applyFile() {
 }
 
 void TemplateButton::save() {
-    QFileDialog dialog(this, tr("Save a template to a file"));
+    SaveDialog dialog(this, tr("Save a template to a file"),
+                      {tr("Templates (*.palmer-template)"), tr("All files (*)")});
     dialog.setObjectName(QStringLiteral("templateDialog"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("palmer-template"));
-    dialog.setNameFilters({tr("Templates (*.palmer-template)"), tr("All files (*)")});
     dialog.selectFile(suggestedName().replace(u'/', u'-'));
     if (dialog.exec() != QDialog::Accepted)
         return;

@@ -9,12 +9,12 @@
 #include "figures/figuretexts.h"
 #include "figures/testfigures.h"
 #include "ui/errorbox.h"
+#include "ui/madewidgets.h"
 #include "ui/model/background.h"
 #include "ui/saving.h"
 #include "ui/windowlanguage.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSettings>
@@ -43,26 +43,15 @@ void refuse(QWidget *window, const QString &path, const Error &error) {
 
 void ask(QWidget *window, const QString &title, const QStringList &forms,
          const std::function<QByteArray(ExportForm)> &bytes) {
-    auto *dialog =
-        new QFileDialog(window, title, QSettings().value(QLatin1StringView(folderSetting)).toString());
-    dialog->setObjectName(QStringLiteral("exportDialog"));
+    auto *dialog = made<SaveDialog>("exportDialog", window, title, forms,
+                                    QSettings().value(QLatin1StringView(folderSetting)).toString());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters(forms);
-    const auto formOf = [forms, dialog] {
-        return static_cast<ExportForm>(std::max<qsizetype>(0, forms.indexOf(dialog->selectedNameFilter())));
-    };
-    const auto suffixOf = [](ExportForm form) {
-        return QString::fromLatin1(inOrder(form, {"csv", "csv", "json", "xml"}));
-    };
-    dialog->setDefaultSuffix(suffixOf(formOf()));
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog,
-                     [=] { dialog->setDefaultSuffix(suffixOf(formOf())); });
     QObject::connect(dialog, &QFileDialog::fileSelected, window, [=](const QString &path) {
         QSettings().setValue(QLatin1StringView(folderSetting), QFileInfo(path).absolutePath());
         try {
             requireNoTestFileName(path);
-            awaited([&, form = formOf()] { saveBytes(bytes(form), path); });
+            const auto form = static_cast<ExportForm>(std::max<qsizetype>(0, dialog->filterOf(path)));
+            awaited([&] { saveBytes(bytes(form), path); });
             saySaved(window, path);
         } catch (const Error &error) {
             refuse(window, path, error);

@@ -40,6 +40,7 @@
 #include "ui/register/registerqueries.h"
 #include "ui/register/registerservice.h"
 #include "ui/register/typedialog.h"
+#include "ui/saving.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
@@ -928,12 +929,9 @@ bool MainWindow::save() {
 }
 
 bool MainWindow::saveAs() {
-    QFileDialog dialog(this, tr("Save the test file"),
-                       QSettings().value(QStringLiteral("window/folder")).toString());
+    SaveDialog dialog(this, tr("Save the test file"), {tr("Test files (*.palmer)"), tr("All files (*)")},
+                      QSettings().value(QStringLiteral("window/folder")).toString());
     dialog.setObjectName(QStringLiteral("saveDialog"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilters({tr("Test files (*.palmer)"), tr("All files (*)")});
-    dialog.setDefaultSuffix(QStringLiteral("palmer"));
     const QFileInfo report(m_reportPath);
     if (!m_reportPath.isEmpty() && m_model.path().isEmpty())
         dialog.selectFile(report.dir().filePath(report.completeBaseName() + QStringLiteral(".palmer")));
