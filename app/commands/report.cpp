@@ -212,10 +212,17 @@ private:
         ReportOptions stated{
             QStringLiteral("Palmer " PALMER_VERSION), m_selfTest.get(), originals, testFile, {}, hasAnnex};
         std::vector<FileToSave> reports;
-        for (const QString &name : languages) {
-            Report report = composeReport(evaluated, Language::fromName(name).value(), stated);
+        // For 10⁶ readings the results are 80 MB until they are compressed, as much as the report.
+        constexpr qsizetype large = 1 << 22;
+        const auto takeResults = [&] {
             if (results.valid()) // once for all languages
                 std::ranges::copy(results.get(), std::back_inserter(attachments));
+        };
+        if (testFile.size() > large)
+            takeResults();
+        for (const QString &name : languages) {
+            Report report = composeReport(evaluated, Language::fromName(name).value(), stated);
+            takeResults();
             if (name == languages.back()) { // the memory is needed for the pages
                 evaluated = {};
                 whole.reset();

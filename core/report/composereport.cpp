@@ -225,7 +225,7 @@ private:
     static std::size_t wordsOf(const std::vector<Block> &blocks, std::size_t begin, std::size_t end) {
         std::size_t words = 0;
         for (std::size_t i = begin; i < end; ++i)
-            words = qHash(pageText(blocks[i]), words);
+            eachPageLine(blocks[i], [&words](const QString &line) { words = qHash(line, words); });
         return words;
     }
 
@@ -317,8 +317,10 @@ QString foreignCharacters(const Report &report) {
     constexpr int digits = 4;
     std::set<char32_t> foreign;
     for (const Block &block : report.blocks) {
-        const std::vector<char32_t> more = notOnPaper(pageText(block));
-        foreign.insert(more.begin(), more.end());
+        eachPageLine(block, [&foreign](const QString &line) {
+            const std::vector<char32_t> more = notOnPaper(line);
+            foreign.insert(more.begin(), more.end());
+        });
     }
     QStringList names;
     for (const char32_t character : foreign) {

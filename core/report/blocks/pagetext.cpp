@@ -13,6 +13,9 @@ constexpr QStringView between(u"  ");
 
 class WordPrinter {
 public:
+    explicit WordPrinter(const std::function<void(const QString &)> &take)
+        : m_take(take) {}
+
     void operator()(const Heading &heading) { cells({heading.text, heading.note.plain()}); }
     void operator()(const Paragraph &paragraph) { line(paragraph.text); }
     void operator()(const KeyValues &values) {
@@ -86,10 +89,8 @@ public:
         line(QString(mark.text).replace(QLatin1String("%1"), QString(dash)));
     }
 
-    [[nodiscard]] QString take() { return std::move(m_text); }
-
 private:
-    void line(const QString &text) { m_text += text + u'\n'; }
+    void line(const QString &text) { m_take(text); }
 
     /// Adds one line of the non-empty texts.
     void cells(QStringList texts) {
@@ -195,15 +196,19 @@ private:
         cells(legend);
     }
 
-    QString m_text;
+    const std::function<void(const QString &)> &m_take;
 };
 
 } // namespace
 
+void eachPageLine(const Block &block, const std::function<void(const QString &)> &take) {
+    std::visit(WordPrinter(take), block);
+}
+
 QString pageText(const Block &block) {
-    WordPrinter printer;
-    std::visit(printer, block);
-    return printer.take();
+    QString result;
+    eachPageLine(block, [&result](const QString &line) { result += line + u'\n'; });
+    return result;
 }
 
 QString pageText(const Report &report) {

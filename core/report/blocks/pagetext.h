@@ -5,6 +5,7 @@
 #include "report/blocks/report.h"
 
 #include <QString>
+#include <functional>
 
 namespace palmer {
 
@@ -18,6 +19,9 @@ namespace palmer {
 /// Repeated parts are not included (running heads, footers, the head of a continued table), nor marks and
 /// pictures. Page numbers of anchors that are not filled in yet are dashes.
 [[nodiscard]] QString pageText(const Report &report);
+
+/// Calls `take` for each line of one block, without its '\n': a table may have a million.
+void eachPageLine(const Block &block, const std::function<void(const QString &)> &take);
 
 /// The words of one block; lines end in '\n'.
 [[nodiscard]] QString pageText(const Block &block);
