@@ -267,6 +267,7 @@ bool hasField(const Test &test, Steps steps) {
 struct PlacedMeanings {
     std::string place; ///< "", "tests[0]."
     std::vector<json> meanings;
+    bool isNumber = false; ///< that the field takes
 };
 
 /// Returns what a path without a test sets in each test that it fits: the field is one of the kind, the unit
@@ -280,7 +281,8 @@ std::vector<PlacedMeanings> meaningsForTests(const Document &document, const std
         if (!hasField(test, steps))
             continue;
         try {
-            result.push_back({"tests[" + std::to_string(i) + "].", Meanings(test, path).of(steps, value)});
+            result.push_back({"tests[" + std::to_string(i) + "].", Meanings(test, path).of(steps, value),
+                              numberOf(test, steps).has_value()});
         } catch (const Error &error) {
             if (!refused)
                 refused = error;
@@ -343,23 +345,28 @@ Document withField(const Document &document, std::string_view path, std::string_
         refusePath(path);
     std::vector<PlacedMeanings> placed;
     if (ofFile)
-        placed.push_back({"", Meanings(document, name).of(steps, value)});
+        placed.push_back(
+            {"", Meanings(document, name).of(steps, value), numberOf(document, steps).has_value()});
     else
         placed = meaningsForTests(document, steps, name, value);
     std::size_t most = 0;
     for (const PlacedMeanings &one : placed)
         most = std::max(most, one.meanings.size());
+    const auto &asked = placed.front();
+    // What is wrong with "2014" as a word, not that it is a number.
+    const bool isWord = !asked.isNumber && !asked.meanings.front().is_structured();
     std::optional<Error> refused;
     for (std::size_t i = 0; i < most; ++i) {
         json changed = file;
-        for (const auto &[place, meanings] : placed)
-            setAt(changed, stepsOf(place + name), meanings[std::min(i, meanings.size() - 1)], path);
+        for (const PlacedMeanings &one : placed)
+            setAt(changed, stepsOf(one.place + name), one.meanings[std::min(i, one.meanings.size() - 1)],
+                  path);
         try {
             Document result = readDocument(QByteArray::fromStdString(compactJson(changed)));
             requirePossible(document, result);
             return result;
         } catch (const Error &error) {
-            if (!refused)
+            if (!refused || isWord)
                 refused = error;
         }
     }

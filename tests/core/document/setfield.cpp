@@ -419,6 +419,15 @@ private slots:
         QVERIFY(throws("tests[2]", R"({"kind": "drift", "id": "d", "times": [0], "deviations": [1]})"));
     }
 
+    void aNumberForAWordIsRefusedAsAWord() {
+        try {
+            (void)withField(ofEachKind(), "tests[0].edition", "2014");
+            QFAIL("taken");
+        } catch (const Error &error) {
+            QVERIFY2(QByteArray(error.what()).contains("unknown edition"), error.what());
+        }
+    }
+
     void aChannelOfADriftTestHasItsOwnUnit() {
         DriftMeasurement drift;
         drift.times = {0};
