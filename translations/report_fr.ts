@@ -8668,8 +8668,8 @@
         <translation>Pas de valeur pour H&#xa0;: il demande des cercles complets dans les deux sens.</translation>
     </message>
     <message>
-        <source>The drift test “%1” gives no E_VE for this budget: it has no readings at rest, or is of another kind of axis.</source>
-        <translation>L’essai de dérive «&#xa0;%1&#xa0;» ne donne pas d’E_VE à ce budget&#xa0;: il n’a pas de relevés à l’arrêt, ou concerne un autre genre d’axe.</translation>
+        <source>The drift test “%1” gives no E_VE for this budget: none of its channels is that of the axis, or it has fewer than two readings.</source>
+        <translation>L’essai de dérive «&#xa0;%1&#xa0;» ne donne pas d’E_VE à ce budget&#xa0;: aucune de ses voies n’est celle de l’axe, ou il a moins de deux relevés.</translation>
     </message>
     <message>
         <source>only one direction was measured: there is no compensation of each direction</source>

@@ -83,15 +83,15 @@ std::optional<Message> datesContradict(const Case &test) {
     return std::nullopt;
 }
 
-/// The budget names a drift test it cannot use: without readings, or of an axis with the other motion.
+/// The budget names a drift test it cannot use: with too few readings, or without a channel of the axis.
 template <class Case>
 std::optional<Message> driftTestOfNoUse(const Case &test) {
     const std::string *drift = driftTestOf(test.test);
     if (!drift || test.surroundings.environmentalVariation)
         return std::nullopt;
     return Message{REPORT_TEXT("report",
-                               "The drift test “%1” gives no E_VE for this budget: it has no readings at "
-                               "rest, or is of another kind of axis."),
+                               "The drift test “%1” gives no E_VE for this budget: none of its channels is "
+                               "that of the axis, or it has fewer than two readings."),
                    {*drift}};
 }
 

@@ -157,12 +157,15 @@ DriftChannel mainChannel(const DriftMeasurement &measurement) {
 std::optional<double> rangeOf(const DriftMeasurement &measurement) {
     const DriftChannel channel = mainChannel(measurement);
     std::optional<Interval> range;
+    int count = 0;
     for (const std::optional<double> &value : channel.values) {
-        if (value)
-            range = range ? Interval{std::min(range->from, *value), std::max(range->to, *value)}
-                          : Interval{*value, *value};
+        if (!value)
+            continue;
+        range = range ? Interval{std::min(range->from, *value), std::max(range->to, *value)}
+                      : Interval{*value, *value};
+        ++count;
     }
-    return range ? std::optional(range->to - range->from) : std::nullopt;
+    return count > 1 ? std::optional(range->to - range->from) : std::nullopt;
 }
 
 std::size_t readingsOf(const Test &test) {

@@ -17,10 +17,12 @@ std::optional<Variation> variation(std::span<const double> times, std::span<cons
         if (!std::isnan(values[i]))
             rows.push_back(i);
     }
-    if (rows.empty())
+    if (rows.size() < 2)
         return std::nullopt;
+    const double begin = times[rows.front()];
+    const double end = times[rows.back()];
     Variation best;
-    best.recorded = times.back() - times.front();
+    best.recorded = end - begin;
     for (std::size_t i = 1; i < rows.size(); ++i)
         best.largestGap = std::max(best.largestGap, times[rows[i]] - times[rows[i - 1]]);
     constexpr double rounding = 1e-9;
@@ -57,6 +59,10 @@ std::optional<Variation> variation(std::span<const double> times, std::span<cons
             best.from = times[rows[first]];
             best.to = times[row];
         }
+    }
+    if (best.recorded <= reach) { // also if the range is reached before the end
+        best.from = begin;
+        best.to = end;
     }
     return best;
 }

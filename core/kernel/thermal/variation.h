@@ -15,7 +15,7 @@ struct Variation {
     double to = 0;
     double low = 0; ///< smallest and largest value of the window
     double high = 0;
-    double recorded = 0;       ///< last time − first time of the record
+    double recorded = 0;       ///< last time − first time with a value
     double largestGap = 0;     ///< between neighbouring values within the record
     bool isLowerBound = false; ///< the record is shorter than T, or a gap longer than T/10
 
@@ -24,7 +24,7 @@ struct Variation {
 
 /// Returns E_VE(T), the largest max − min over samples with t_i ≤ t ≤ t_i + T (+ 1e-9 of the record); without
 /// `duration` over the whole record, which is no lower bound. NaN: no value. Any steps, ascending times.
-/// O(n). Null without a value.
+/// O(n). Null with fewer than two values.
 [[nodiscard]] std::optional<Variation>
 variation(std::span<const double> times, std::span<const double> values, std::optional<double> duration);
 

@@ -81,6 +81,26 @@ private slots:
         QVERIFY(variation(dense, dense, 90.0)->isLowerBound); // gaps of 10 s
         QVERIFY(!variation({}, {}, {}));
     }
+    /// A time without a value was not recorded.
+    void missingValuesAreNoRecord() {
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        const std::vector<double> times{0, 10, 20, 30, 40};
+        QVERIFY(!variation(times, std::vector{none, 1.0, none, none, none}, 30.0));
+        const std::vector values{none, 1.0, 3.0, 2.0, none};
+        const auto found = variation(times, values, 30.0);
+        QVERIFY(found && found->isLowerBound);
+        QCOMPARE(found->recorded, 20.0);
+    }
+    void theWindowOfAWholeRecordIsTheRecord() {
+        const std::vector<double> times{0, 10, 20, 30};
+        const std::vector<double> values{0, 3, 1, 1};
+        for (const std::optional<double> duration : {std::optional<double>(), std::optional(40.0)}) {
+            const auto found = variation(times, values, duration);
+            QCOMPARE(found->value, 3.0);
+            QCOMPARE(std::pair(found->from, found->to), std::pair(0.0, 30.0));
+        }
+        QCOMPARE(variation(times, values, 10.0)->to, 10.0);
+    }
     /// 0.1 + 0.2 is more than 0.3: a window of three steps holds four values all the same.
     void roundedTimesDoNotLeaveTheWindow() {
         std::vector<double> times;
