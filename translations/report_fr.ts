@@ -10491,6 +10491,10 @@
         <translation>Différence de deux résultats de la norme&#x202f;; la comparaison elle-même est une interprétation et non un résultat de celle-ci.</translation>
     </message>
     <message>
+        <source>By what is stated, the second test was made before the first.</source>
+        <translation>D’après ce qui est indiqué, le second essai a été effectué avant le premier.</translation>
+    </message>
+    <message>
         <source>Differences of the conditions</source>
         <translation>Conditions qui diffèrent</translation>
     </message>

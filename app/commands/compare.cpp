@@ -72,7 +72,8 @@ std::pair<std::size_t, std::size_t> statedPair(const EvaluatedDocument &file, Co
         options.setUpUntouched = stated->setUpUntouched;
         const auto other =
             std::ranges::find(file.document->tests, stated->test, [](const TestPointer &t) { return t->id; });
-        return {static_cast<std::size_t>(other - file.document->tests.begin()), i};
+        const auto j = static_cast<std::size_t>(other - file.document->tests.begin());
+        return precedes(*file.document->tests[i], **other) ? std::pair(i, j) : std::pair(j, i);
     }
     throw UsageError({REPORT_TEXT("report", "no test of the file states what it is compared with "
                                             "(“comparedWith”); --test names two"),

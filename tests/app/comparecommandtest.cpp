@@ -40,6 +40,8 @@ class CompareCommandTest : public QObject {
 private slots:
     void saysWhatHasChanged();
     void aFileStatesWhatItCompares();
+    void theEarlierTestIsTheFirst();
+    void notStatedIsNotAlike();
     void theWordsAreExplained();
     void whatDiffersIsSaid();
     void circlesAreComparedBySourcesAndPaths();
@@ -94,6 +96,51 @@ void CompareCommandTest::aFileStatesWhatItCompares() {
     // A terminal shows no figure, nor the numbers of its axes.
     for (const QByteArray &shown : {terminal, runCli({"compare", both, "--language", "en"}).out})
         QVERIFY(!shown.contains("Difference of the mean deviations") && !shown.contains("before (µm)"));
+}
+
+/// Whichever of the two states the other: in the report, in the results and here.
+void CompareCommandTest::theEarlierTestIsTheFirst() {
+    const QTemporaryDir folder;
+    QFile file(both);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
+    QJsonArray tests = document["tests"].toArray();
+    QJsonObject found = tests[0].toObject();
+    QJsonObject left = tests[1].toObject();
+    QJsonObject stated = left.take("comparedWith").toObject();
+    stated["test"] = left["id"];
+    found["comparedWith"] = stated;
+    document["tests"] = QJsonArray{found, left};
+    QFile other(folder.filePath("other.palmer"));
+    QVERIFY(other.open(QIODevice::WriteOnly));
+    other.write(QJsonDocument(document).toJson());
+    other.close();
+    const QJsonObject comparison =
+        QJsonDocument::fromJson(runCli({"compare", other.fileName(), "--json"}).out).object();
+    QCOMPARE(comparison["before"]["id"].toString(), "found");
+    QCOMPARE(parameter(comparison, "E")["word"].toString(), "better");
+    const char *const reversed = "the second test was made before the first";
+    for (const auto &[pair, isReversed] : {std::pair{"1,2", false}, std::pair{"2,1", true}}) {
+        const QByteArray text =
+            runCli({"compare", both, both, "--test", pair, "--language", "en"}).out.simplified();
+        QCOMPARE(text.contains(reversed), isReversed);
+    }
+}
+
+void CompareCommandTest::notStatedIsNotAlike() {
+    const QTemporaryDir folder;
+    QFile made(folder.filePath("made.palmer"));
+    QCOMPARE(runCli({"synthesize", "positioning", "--noise", "1", "-o", made.fileName()}).code, 0);
+    QVERIFY(made.open(QIODevice::ReadOnly));
+    QFile other(folder.filePath("other.palmer"));
+    QVERIFY(other.open(QIODevice::WriteOnly));
+    other.write(made.readAll().replace("Made by computation", "Made by hand"));
+    other.close();
+    const QByteArray text =
+        runCli({"compare", made.fileName(), other.fileName(), "--language", "en"}).out.simplified();
+    QVERIFY2(text.contains("Alike: ") && text.contains("Target positions, Runs"), text);
+    for (const char *name : {"Correction to 20", "Cycle"})
+        QVERIFY2(!text.contains(name), text);
 }
 
 void CompareCommandTest::theWordsAreExplained() {

@@ -247,8 +247,9 @@ std::vector<KeyValue> statedRows(const PlacedTest &placed, const PlacedTest &oth
         rows.add(REPORT_TEXT("report", "Target positions"), targetsOf(*m, other, write));
         rows.add(REPORT_TEXT("report", "Runs"), QStringLiteral("%1 ↑, %2 ↓").arg(up).arg(down));
         rows.add(REPORT_TEXT("report", "Readings without a value"), gapsOf(*m, write));
-        rows.add(REPORT_TEXT("report", "Correction to 20 °C"), write.text(correctionText(test)));
-        if (placed.evaluation().edition)
+        if (m->conditions.common.correctionTo20 != CorrectionTo20::notStated)
+            rows.add(REPORT_TEXT("report", "Correction to 20 °C"), write.text(correctionText(test)));
+        if (m->cycle && placed.evaluation().edition)
             rows.add(REPORT_TEXT("report", "Cycle"),
                      write.text(cycleText(m->cycle, *placed.evaluation().edition)));
     }
@@ -586,6 +587,9 @@ std::vector<Block> comparisonBlocks(const TestComparison &comparison, const Plac
     std::vector<Block> blocks;
     const auto [first, second] = sideTexts(before, after);
     const ComparedConditions conditions = compareConditions(before, after, language);
+    if (precedes(after.test(), before.test()))
+        blocks.emplace_back(Paragraph{write.text(
+            REPORT_TEXT("report", "By what is stated, the second test was made before the first."))});
     if (!conditions.differing.empty()) {
         constexpr double nameWidth = 45;
         addHeading(blocks, write.text(REPORT_TEXT("report", "Differences of the conditions")),
