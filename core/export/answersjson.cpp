@@ -128,14 +128,15 @@ QByteArray importJson(const std::vector<ImportAnswer> &files, const QString &out
 QByteArray targetsJson(std::span<const PlannedMeasurement> plans, const CycleProgram &program,
                        const std::string &edition) {
     Json list = Json::array();
-    for (const auto &[request, plan] : plans) {
+    for (const PlannedMeasurement &one : plans) {
+        const auto &[request, plan] = one;
         const auto &zone = request.zone;
         list.push_back({{"from", request.from},
                         {"travel", request.travel},
                         {"zone", zone ? Json::array({zone->from, zone->to}) : Json(nullptr)},
                         {"interval", orNull(plan.interval)},
                         {"randomPart", plan.randomPart},
-                        {"runs", plan.runs},
+                        {"runs", programOf(one, program).runs},
                         {"targets", plan.targets}});
     }
     return printed("targets", {{"edition", edition},

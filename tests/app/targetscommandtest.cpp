@@ -5,6 +5,9 @@
 #include "app/runcli.h"
 
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -30,6 +33,24 @@ private slots:
         const palmer::testdata::CliResult french =
             run({"targets", "--travel", "1000", "--language", "fr", "-o", "-"});
         QVERIFY(french.out.contains(QByteArray("Axe")));
+    }
+
+    void theRunsAreThoseAskedFor_data() {
+        QTest::addColumn<QStringList>("asked");
+        QTest::addColumn<QList<int>>("runs");
+        QTest::newRow("as the standard asks") << QStringList{"--travel", "500"} << QList{5};
+        QTest::newRow("fewer") << QStringList{"--travel", "500", "--runs", "3"} << QList{3};
+        QTest::newRow("long axis") << QStringList{"--travel", "3000"} << QList{1, 5};
+        QTest::newRow("long axis, more") << QStringList{"--travel", "3000", "--runs", "7"} << QList{7, 7};
+    }
+    void theRunsAreThoseAskedFor() {
+        QFETCH(QStringList, asked);
+        QFETCH(QList<int>, runs);
+        const QByteArray json = run(QStringList{"targets", "--json"} + asked).out;
+        QList<int> planned;
+        for (const QJsonValue &one : QJsonDocument::fromJson(json).object()["measurements"].toArray())
+            planned << one["runs"].toInt();
+        QCOMPARE(planned, runs);
     }
 
     void writesThePartProgram() {
