@@ -145,14 +145,15 @@ def trend(machine: str, axis: str, parameter: str, *, register: PathLike | None 
     """A parameter of an axis over the years, from a register (`palmer-cli register scan FOLDER`).
 
     A row per test: date, value, U, limit in the unit of the column `unit`; `k`; uOwn, the standard uncertainty of this
-    value alone; series (from 1). `attrs["line"]`: the line through the first series, or None; `attrs["units"]`. Raises
+    value alone; series (from 1). Tests without a date are left out. `attrs["line"]`: the line through the first series, or None; `attrs["units"]`. Raises
     PalmerError for an unknown machine, axis or parameter.
     """
     where = ["--register", os.fspath(register)] if register is not None else []
     text = _run("register", "trend", "--machine", machine, "--axis", axis, "--parameter", parameter, "--json", *where)
     found = json.loads(text.splitlines()[0])
-    frame = pd.DataFrame([{"series": number, "unit": found["unit"], **point}
-                          for number, series in enumerate(found["series"], start=1) for point in series["points"]])
+    rows = [{"series": number, "unit": found["unit"], **point}
+            for number, series in enumerate(found["series"], start=1) for point in series["points"]]
+    frame = pd.DataFrame(rows, columns=None if rows else ["series", "unit", "date", "value", "U", "limit"])
     frame["date"] = pd.to_datetime(frame["date"])
     frame.attrs["line"] = found["line"]
     frame.attrs["units"] = {"slopePerYear": found["unit"] + "/year"}

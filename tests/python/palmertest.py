@@ -84,6 +84,8 @@ class PalmerTest(unittest.TestCase):
                        "machine.serialNumber=7", "--set", f"tests[0].date={year}-05-01", "--set",
                        f"tests[0].runs[0].deviations[0]=0.00{year - 2020}mm", "-o", f"{tests}/{year}.palmer")
             self.assertEqual(done.returncode, 0, done.stderr)
+        cli("import", source + "/doc/x-axis.csv", "--accept", "--set", "axis=X", "--set", "machine.serialNumber=9",
+            "-o", f"{tests}/undated.palmer")
         cli("register", "scan", tests, "--register", register)
         frame = palmer.trend("7", "X", "A", register=register)
         self.assertEqual(list(frame["date"].dt.year), [2024, 2025])
@@ -91,6 +93,8 @@ class PalmerTest(unittest.TestCase):
         self.assertIsNone(frame.attrs["line"])  # two tests
         with self.assertRaises(palmer.PalmerError):
             palmer.trend("8", "X", "A", register=register)
+        undated = palmer.trend("9", "X", "A", register=register)
+        self.assertEqual((len(undated), set(undated) >= {"date", "value", "U"}), (0, True))
 
     def test_the_notebook_runs(self):
         with open(source + "/doc/palmer.ipynb", encoding="utf-8") as file:
