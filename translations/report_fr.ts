@@ -6005,6 +6005,10 @@
         <translation>comparé à une table de %1, axe %2&#xa0;: %3 points de %4 à %5</translation>
     </message>
     <message>
+        <source>compared with a table of %1: %3 points from %4 to %5</source>
+        <translation>comparé à une table de %1&#xa0;: %3 points de %4 à %5</translation>
+    </message>
+    <message>
         <source>largest difference, written − compared: %1 at %2 %3</source>
         <translation>plus grande différence, écrite − comparée&#xa0;: %1 à %2 %3</translation>
     </message>

@@ -139,9 +139,12 @@ void printPrediction(const Message &head, const TestToCompensate &of, const Comp
         const Parameter &parameter = measured[i];
         const auto &value = predicted.parameters[i].value;
         if (parameter.value && value)
-            printError(QString::fromStdString(plainSymbol(parameter)) + QStringLiteral(": ") +
-                       language.quantity(*parameter.value, parameter.term.quantity, 2) +
-                       QStringLiteral(" → ") + language.quantity(*value, parameter.term.quantity, 2));
+            printError(language.sentence(
+                {REPORT_TEXT("report", "%1: %2"),
+                 {plainSymbol(parameter),
+                  (language.quantity(*parameter.value, parameter.term.quantity, 2) + QStringLiteral(" → ") +
+                   language.quantity(*value, parameter.term.quantity, 2))
+                      .toStdString()}}));
     }
 }
 
@@ -151,8 +154,10 @@ void printComparison(const FoundTable &found, const CompensationTable &written, 
     const Quantity position = linear ? Quantity::position : Quantity::angle;
     const CompensationTable &table = found.table;
     printError(language.sentence(
-        {REPORT_TEXT("report", "compared with a table of %1, axis %2: %3 points from %4 to %5"),
-         {std::string(found.control), table.axis.empty() ? std::string("?") : table.axis,
+        {table.axis.empty()
+             ? REPORT_TEXT("report", "compared with a table of %1: %3 points from %4 to %5")
+             : REPORT_TEXT("report", "compared with a table of %1, axis %2: %3 points from %4 to %5"),
+         {std::string(found.control), table.axis,
           Number{static_cast<double>(table.positions.size()), Quantity::count},
           Number{table.positions.front(), position}, Number{table.positions.back(), position}}}));
     for (const Message &remark : found.remarks)
