@@ -278,6 +278,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n test(s) without a date are left out.</source>
+        <translation>
+            <numerusform>%n test without a date is left out.</numerusform>
+            <numerusform>%n tests without a date are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Mean over %n target(s): none rules it alone.</source>
         <translation>
             <numerusform>Mean over %n target: none rules it alone.</numerusform>

@@ -7600,11 +7600,18 @@
     </message>
     <message>
         <source>Nothing is said beyond %1, twice the observed time.</source>
-        <translation>Rien n’est dit au-delà de %1, le double de la durée observée.</translation>
+        <translation>Rien n’est dit après %1, le double de la durée observée.</translation>
     </message>
     <message>
         <source>A U is stated without its parts: it is taken as shared by the tests with the same instrument.</source>
         <translation>Une U est donnée sans ses composantes&#xa0;: elle est considérée comme commune aux essais faits avec le même instrument.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test(s) without a date are left out.</source>
+        <translation>
+            <numerusform>%n essai sans date n’est pas pris en compte.</numerusform>
+            <numerusform>%n essais sans date ne sont pas pris en compte.</numerusform>
+        </translation>
     </message>
     <message>
         <source>since</source>

@@ -217,6 +217,11 @@ QString trendMethod(const MachineTrend &trend, const Language &language, bool wi
     if (trend.withoutParts)
         sentences << language.text(REPORT_TEXT("report", "A U is stated without its parts: it is taken as "
                                                          "shared by the tests with the same instrument."));
+    if (trend.withoutDate > 0)
+        sentences << language.sentence(
+            {REPORT_TEXT_COUNTED("report", "%n test(s) without a date are left out."),
+             {},
+             trend.withoutDate});
     return sentences.join(u' ');
 }
 
@@ -334,6 +339,7 @@ QByteArray trendJson(const ListedMachine &machine, const std::string &axis, cons
                               {"unit", trend.angular ? "deg" : "mm"},
                               {"series", series},
                               {"interventions", interventions},
+                              {"withoutDate", trend.withoutDate},
                               {"line", trend.line ? lineJson(trend) : Json()}});
 }
 

@@ -307,6 +307,9 @@ private slots:
         undated.test.date.reset();
         const MachineTrend trend = machineTrend({undated, made("2021-01-01", 9)}, "A");
         QCOMPARE(trend.withoutDate, 1);
+        QVERIFY(trendJson({}, "X", trend).contains("\"withoutDate\": 1"));
+        QVERIFY(trendMethod(trend, Language(Language::Id::english))
+                    .endsWith("1 test without a date is left out."));
         QCOMPARE(trend.series.front().entries.size(), std::size_t{1});
     }
     void threeTestsHaveNoLine() {
