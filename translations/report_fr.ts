@@ -7766,6 +7766,10 @@
         <translation>Évolution des essais, %1</translation>
     </message>
     <message>
+        <source>Results over time</source>
+        <translation>Évolution des essais</translation>
+    </message>
+    <message>
         <source>Maker, type</source>
         <translation>Constructeur, type</translation>
     </message>
@@ -8413,8 +8417,8 @@
     <message numerus="yes">
         <source>%n not met</source>
         <translation>
-            <numerusform>%n exigence</numerusform>
-            <numerusform>%n exigences</numerusform>
+            <numerusform>%n non satisfaite</numerusform>
+            <numerusform>%n non satisfaites</numerusform>
         </translation>
     </message>
     <message>

@@ -40,7 +40,8 @@ constexpr std::size_t mostColumns = 5; ///< axes and planes next to each other i
 struct AxisTrends {
     std::string axis;
     std::vector<ListedTest> tests;
-    std::vector<MachineTrend> trends;
+    std::vector<MachineTrend> trends;  ///< with a chart
+    std::vector<MachineTrend> limited; ///< of the other parameters that have a limit
 };
 
 QString utf8(const std::string &text) {
@@ -65,8 +66,14 @@ public:
         });
         std::vector<MachineTrend> all;
         for (AxisTrends &axis : m_axes) {
-            for (const std::string &parameter : mainParametersOf(axis.tests))
+            const std::vector<std::string> main = mainParametersOf(axis.tests);
+            for (const std::string &parameter : main)
                 axis.trends.push_back(machineTrend(axis.tests, parameter));
+            for (const std::string &parameter : parametersOf(axis.tests)) {
+                MachineTrend trend = machineTrend(axis.tests, parameter);
+                if (trend.limit && std::ranges::find(main, parameter) == main.end())
+                    axis.limited.push_back(std::move(trend));
+            }
             all.insert(all.end(), axis.trends.begin(), axis.trends.end());
         }
         m_span = trendSpan(all, history.today);
@@ -121,9 +128,13 @@ private:
             last = *test.test.date;
         }
         if (first.empty())
-            return {};
-        return say(REPORT_TEXT("report", "%1 to %2"), {monthText(dateOf(first), m_language).toStdString(),
-                                                       monthText(dateOf(last), m_language).toStdString()});
+            return text(REPORT_TEXT("report", "Results over time"));
+        const QString begin = monthText(dateOf(first), m_language);
+        const QString end = monthText(dateOf(last), m_language);
+        const QString months =
+            begin == end ? begin
+                         : say(REPORT_TEXT("report", "%1 to %2"), {begin.toStdString(), end.toStdString()});
+        return say(REPORT_TEXT("report", "Results over time, %1"), {months.toStdString()});
     }
 
     [[nodiscard]] QString counts() const {
@@ -155,7 +166,7 @@ private:
         head.numberNotes << say(REPORT_TEXT("report", "Tests: %1, campaigns: %2"),
                                 {count(m_history.tests.size()), count(campaigns().size())});
         head.title = title;
-        head.subtitle = say(REPORT_TEXT("report", "Results over time, %1"), {period().toStdString()});
+        head.subtitle = period();
         const ListedMachine &machine = m_history.machine;
         QStringList type{machine.manufacturer, machine.model};
         type.removeAll(QString());
@@ -187,9 +198,11 @@ private:
     [[nodiscard]] std::vector<Watched> trendsThat(bool (*is)(const MachineTrend &)) const {
         std::vector<Watched> list;
         for (const AxisTrends &axis : m_axes) {
-            for (const MachineTrend &trend : axis.trends) {
-                if (is(trend))
-                    list.push_back({&axis, &trend});
+            for (const auto *trends : {&axis.trends, &axis.limited}) {
+                for (const MachineTrend &trend : *trends) {
+                    if (is(trend))
+                        list.push_back({&axis, &trend});
+                }
             }
         }
         return list;
@@ -237,10 +250,12 @@ private:
 
     /// Says why no parameter is to be watched.
     void sayWhyNone(VerdictLine &line) const {
+        const std::vector<Watched> dated =
+            trendsThat([](const MachineTrend &t) { return !t.series.empty(); });
         const std::vector<Watched> limited = trendsThat([](const MachineTrend &t) { return !!t.limit; });
         const std::vector<Watched> lines =
             trendsThat([](const MachineTrend &t) { return t.limit && t.line; });
-        line.word = text(limited.empty() ? REPORT_TEXT("report", "no limit agreed")
+        line.word = text(!dated.empty() && limited.empty() ? REPORT_TEXT("report", "no limit agreed")
                          : lines.empty() ? REPORT_TEXT("report", "too few tests: nothing is said")
                                          : REPORT_TEXT("report", "no limit within twice the observed time"));
         if (limited.empty())
@@ -341,6 +356,9 @@ private:
         }
         MachineTrend method;
         method.withoutParts = withoutParts;
+        method.withoutDate = static_cast<int>(std::ranges::count_if(m_history.tests, [](const ListedTest &t) {
+            return traitsOf(t.test.kind).isJudged && !t.test.date;
+        }));
         m_blocks->emplace_back(Paragraph{
             say(REPORT_TEXT("report",
                             "%1 * not reached within twice the observed time: nothing is said beyond."),
@@ -348,16 +366,21 @@ private:
             TextSize::small});
     }
 
-    /// Tests with the same day, purpose and role, by axis.
-    using Campaign = std::map<std::string, const ListedTest *>;
-    using Campaigns = std::map<std::tuple<std::string, TestRole, Purpose>, Campaign>;
+    /// Tests with the same day, purpose and role, by axis. Further tests of an axis, as of its zone, are in
+    /// rows of their own.
+    using Row = std::map<std::string, const ListedTest *>;
+    using Campaigns = std::map<std::tuple<std::string, TestRole, Purpose>, std::vector<Row>>;
 
     [[nodiscard]] Campaigns campaigns() const {
         Campaigns result;
         for (const AxisTrends &axis : m_axes) {
             for (const ListedTest &test : axis.tests) {
-                if (test.test.date)
-                    result[{*test.test.date, test.test.role, test.test.purpose}][axis.axis] = &test;
+                if (!test.test.date)
+                    continue;
+                std::vector<Row> &rows = result[{*test.test.date, test.test.role, test.test.purpose}];
+                const auto free =
+                    std::ranges::find_if(rows, [&](const Row &row) { return !row.contains(axis.axis); });
+                (free == rows.end() ? rows.emplace_back() : *free)[axis.axis] = &test;
             }
         }
         return result;
@@ -391,29 +414,31 @@ private:
         table.columns.push_back({text(REPORT_TEXT("report", "Limits")), {}, Alignment::left, false, 23});
         table.columns.push_back({text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, 28});
         table.columns.back().fitting = hasEdition; // there is room then
-        for (const auto &[key, campaign] : all) {
+        for (const auto &[key, rows] : all) {
             const auto &[date, role, purpose] = key;
-            std::vector<Cell> row{Cell(m_language.shortDate(date)), Cell(text(purposeText(purpose))),
-                                  Cell(text(roleText(role)))};
-            if (hasEdition)
-                row.emplace_back(editionsOf(campaign));
-            for (std::size_t i = 0; i < shown; ++i) {
-                const auto test = campaign.find(m_axes[i].axis);
-                row.push_back(test == campaign.end() ? Cell() : firstResult(m_axes[i], test->second->test));
+            for (const Row &tests : rows) {
+                std::vector<Cell> row{Cell(m_language.shortDate(date)), Cell(text(purposeText(purpose))),
+                                      Cell(text(roleText(role)))};
+                if (hasEdition)
+                    row.emplace_back(editionsOf(tests));
+                for (std::size_t i = 0; i < shown; ++i) {
+                    const auto test = tests.find(m_axes[i].axis);
+                    row.push_back(test == tests.end() ? Cell() : firstResult(m_axes[i], test->second->test));
+                }
+                row.push_back(limitsOf(tests));
+                row.push_back(accordanceOf(tests));
+                table.rows.push_back(std::move(row));
             }
-            row.push_back(limitsOf(campaign));
-            row.push_back(accordanceOf(campaign));
-            table.rows.push_back(std::move(row));
         }
         leaveOutEmptyColumns(table, 1, 2); // purpose, role
         m_blocks->emplace_back(std::move(table));
     }
 
-    /// Returns the combined state of all tests of a campaign relative to their limits.
-    [[nodiscard]] Cell limitsOf(const Campaign &campaign) const {
+    /// Returns the combined state of all tests of a row relative to their limits.
+    [[nodiscard]] Cell limitsOf(const Row &tests) const {
         std::optional<Verdict> verdict;
         bool anyLimit = false;
-        for (const auto &[axis, listed] : campaign) {
+        for (const auto &[axis, listed] : tests) {
             const RegisteredTest &test = listed->test;
             verdict = worst(verdict, test.verdict);
             anyLimit = anyLimit || hasLimit(test);
@@ -425,27 +450,30 @@ private:
         return limits;
     }
 
-    /// Returns the years of the editions of ISO 230-2 used for the axes.
-    [[nodiscard]] static QString editionsOf(const Campaign &campaign) {
-        QStringList years;
-        for (const auto &[axis, listed] : campaign) {
+    /// Returns the editions used for the axes, of ISO 230-2 the year.
+    [[nodiscard]] static QString editionsOf(const Row &tests) {
+        const auto iso = QStringLiteral("ISO 230-2:");
+        QStringList editions;
+        for (const auto &[axis, listed] : tests) {
             if (traitsOf(listed->test.kind).isOfAxis)
-                years << utf8(listed->test.edition).section(u':', -1);
+                editions << utf8(listed->test.edition);
+            if (!editions.isEmpty() && editions.back().startsWith(iso))
+                editions.back().remove(0, iso.size());
         }
-        years.removeDuplicates();
-        years.sort();
-        return years.join(QStringLiteral(", "));
+        editions.removeDuplicates();
+        editions.sort();
+        return editions.join(QStringLiteral(", "));
     }
 
     /// Returns the weakest accordance of its tests.
-    [[nodiscard]] Cell accordanceOf(const Campaign &campaign) const {
+    [[nodiscard]] Cell accordanceOf(const Row &tests) const {
         constexpr std::array fromWeakest{Accordance::no, Accordance::notShown, Accordance::notChecked,
                                          Accordance::partly, Accordance::yes};
         for (const Accordance accordance : fromWeakest) {
             int unmet = 0;
             int undeclared = 0;
             bool isThere = false;
-            for (const auto &[axis, listed] : campaign) {
+            for (const auto &[axis, listed] : tests) {
                 if (listed->test.accordance != accordance)
                     continue;
                 isThere = true;

@@ -86,6 +86,9 @@ private slots:
     void damagedDataAreRefused();
     void theHeadlineSaysWhatThePanelsSay_data();
     void theHeadlineSaysWhatThePanelsSay();
+    void everyTestOfADayHasItsRow();
+    void aLimitOfAnyParameterIsWatched();
+    void testsWithoutADateAreSaid();
 };
 
 void HistoryFileTest::theHeadlineSaysWhatThePanelsSay_data() {
@@ -130,6 +133,47 @@ void HistoryFileTest::theHeadlineSaysWhatThePanelsSay() {
     QCOMPARE(right.simplified(), beside.simplified());
     const bool isTooFew = headline.limits.text.plain().contains("fewer than 4 tests");
     QCOMPARE(isTooFew, word.startsWith("too few"));
+}
+
+/// Whole travel and zone are measured on one day.
+void HistoryFileTest::everyTestOfADayHasItsRow() {
+    History one = history();
+    one.tests = {testdata::made("2025-01-15", 17.1), testdata::made("2025-01-15", 9)};
+    one.tests.front().test.verdict = one.tests.front().test.results.front().verdict = Verdict::doesNotConform;
+    one.tests.back().test.verdict = Verdict::conforms;
+    one.tests.back().test.edition = "JIS B 6190-2:2016";
+    const QString text = pageText(composeHistory(one, Language(Language::Id::english)));
+    QVERIFY2(text.contains("Tests: 2, campaigns: 1"), qPrintable(text));
+    QVERIFY2(text.contains("Results over time, January 2025\n"), qPrintable(text));
+    const QString rows = text.mid(text.indexOf("Campaigns")).section("All tests", 0, 0);
+    for (const char *cell : {"exceeded", "met", "17.1", "9.0", "2014", "JIS B 6190-2:2016"})
+        QVERIFY2(rows.contains(cell), qPrintable(rows));
+}
+
+void HistoryFileTest::aLimitOfAnyParameterIsWatched() {
+    History one = history();
+    one.tests = testdata::sinceRepair();
+    for (ListedTest &test : one.tests) {
+        auto &results = test.test.results;
+        results.push_back(results.front());
+        results.back().id = "M";
+        results.back().limit = 0.009;
+        results.back().verdict = Verdict::doesNotConform;
+        results.front().limit.reset();
+    }
+    const QString text = pageText(composeHistory(one, Language(Language::Id::english)));
+    QVERIFY2(!text.contains("no limit agreed"), qPrintable(text));
+    QVERIFY2(text.contains("Exceeded at the last test") && text.contains("M of X: 12.9"), qPrintable(text));
+}
+
+void HistoryFileTest::testsWithoutADateAreSaid() {
+    History one = history();
+    one.tests = {testdata::made("2025-01-15", 17), testdata::made("2025-01-15", 9)};
+    for (ListedTest &test : one.tests)
+        test.test.date.reset();
+    const QString text = pageText(composeHistory(one, Language(Language::Id::french))).simplified();
+    QVERIFY2(text.contains("2 essais sans date ne sont pas pris en compte."), qPrintable(text));
+    QVERIFY2(!text.contains("aucune limite convenue") && !text.contains("essais, Machine"), qPrintable(text));
 }
 
 void HistoryFileTest::everythingShownIsInIt() {
