@@ -199,7 +199,7 @@ private:
             KeyValues ranges;
             for (const ThermalChannel &one : channels)
                 ranges.rows.push_back(
-                    {say(REPORT_TEXT("report", "E_VE of %1, whole record"), {one.channel.name}),
+                    {say(REPORT_TEXT("report", "E_VE of %1, whole record"), {shownName(one.channel)}),
                      one.whole ? m_language.quantity(one.whole->value,
                                                      one.channel.quantity == ChannelQuantity::deviation
                                                          ? Quantity::deviation

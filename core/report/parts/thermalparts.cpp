@@ -115,9 +115,11 @@ QString valueText(double value, const Range &range, double scale, const Language
 QString durationText(std::optional<double> seconds, const Language &language) {
     if (!seconds)
         return {};
-    return *seconds >= longRecord
-               ? language.number(*seconds / hour, Quantity::number, -1) + QStringLiteral("\u00A0h")
-               : language.number(*seconds / minute, Quantity::number, -1) + QStringLiteral("\u00A0min");
+    const bool isLong = *seconds >= longRecord;
+    constexpr double hundredths = 100;
+    const double rounded = std::round(*seconds / (isLong ? hour : minute) * hundredths) / hundredths;
+    return language.number(rounded, Quantity::number, -1) +
+           (isLong ? QStringLiteral("\u00A0h") : QStringLiteral("\u00A0min"));
 }
 
 QString caseName(const DriftCase &one, const Language &language) {
@@ -186,6 +188,10 @@ Text noResponseText(ResponseState state) {
                            REPORT_TEXT("report", "temperature too noisy")});
 }
 
+std::string shownName(const DriftChannel &channel) {
+    return channel.name.empty() ? "–" : channel.name;
+}
+
 Text thermalNature() {
     return REPORT_TEXT(
         "report", "Interpretation, not a result of ISO 230-2. Environmental variation error: largest range "
@@ -223,7 +229,7 @@ LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<Therma
         figure.lines.push_back({LineRole::fitted,
                                 {},
                                 language.sentence({REPORT_TEXT("report", "response of %1 to “%2”"),
-                                                   {channels[shown].channel.name,
+                                                   {shownName(channels[shown].channel),
                                                     drift.temperatures[*channels[shown].best].measures},
                                                    {}}),
                                 std::move(points)});
@@ -233,7 +239,7 @@ LineFigure channelFigure(const DriftMeasurement &drift, const std::vector<Therma
         figure.band = bandOf(drift, most);
         figure.band->label = language.sentence(
             {REPORT_TEXT("report", "the %1 in which %2 varies most"),
-             {durationText(most.to - most.from, language).toStdString(), worst->channel.name},
+             {durationText(most.to - most.from, language).toStdString(), shownName(worst->channel)},
              {}});
         figure.span =
             FigureSpan{most.low * scale, most.high * scale,
@@ -305,7 +311,7 @@ Table responseTable(const DriftMeasurement &drift, const std::vector<ThermalChan
         columnOf(QStringLiteral("b"), number - 3, Alignment::decimal, unit + QStringLiteral("/h")),
         columnOf(QStringLiteral("s"), number - 4, Alignment::decimal, unit)};
     for (const ThermalChannel &one : channels) {
-        const QString name = QString::fromStdString(one.channel.name) +
+        const QString name = QString::fromStdString(shownName(one.channel)) +
                              (mixed ? QStringLiteral(" (%1)").arg(unitOf(one)) : QString());
         const double scale = unitScale(deviationQuantity(one.channel), language.units());
         if (!one.best) {
@@ -393,7 +399,7 @@ QString rangesOfChannels(const DriftMeasurement &drift, const Language &language
     QStringList ranges;
     for (const DriftChannel &channel : channelsOf(drift)) {
         if (const auto whole = variationOf(drift.times, channel.values, std::nullopt))
-            ranges << QString::fromStdString(channel.name) + u' ' +
+            ranges << QString::fromStdString(shownName(channel)) + u' ' +
                           language.quantity(whole->value, deviationQuantity(channel), 1);
     }
     return ranges.isEmpty() ? QString()
@@ -419,7 +425,7 @@ QStringList thermalNotes(const DriftMeasurement &drift, const std::vector<Therma
         if (const auto end = one.responses[*one.best].warmUp(temperatures))
             notes << language.sentence(
                 {REPORT_TEXT("report", "%1 was warm after %2: less than a tenth of the range of y was left."),
-                 {one.channel.name, durationText(*end, language).toStdString()},
+                 {shownName(one.channel), durationText(*end, language).toStdString()},
                  {}});
     }
     return notes;
@@ -443,8 +449,8 @@ VerdictLine causeLine(const DriftMeasurement &drift, const ThermalChannel &chann
     line.label =
         tested->lasts
             ? write.say(REPORT_TEXT("report", "Variation of %1 in %2"),
-                        {channel.channel.name, durationText(tested->lasts, language).toStdString()})
-            : write.say(REPORT_TEXT("report", "Variation of %1, whole record"), {channel.channel.name});
+                        {shownName(channel.channel), durationText(tested->lasts, language).toStdString()})
+            : write.say(REPORT_TEXT("report", "Variation of %1, whole record"), {shownName(channel.channel)});
     const QString sign = boundSign(*tested);
     line.word = sign + write.quantity(tested->variation, quantity, 1);
     const std::string parameter = cases.parameters.empty() ? std::string() : cases.parameters.front();

@@ -12,6 +12,9 @@ namespace palmer {
 /// Why the data of a channel show no response to a temperature; empty if they do.
 [[nodiscard]] Text noResponseText(ResponseState state);
 
+/// Its name, in sentences and tables also if it is empty.
+[[nodiscard]] std::string shownName(const DriftChannel &channel);
+
 /// States that all of it is an interpretation.
 [[nodiscard]] Text thermalNature();
 

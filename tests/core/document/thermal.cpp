@@ -128,6 +128,31 @@ private slots:
             QCOMPARE(table.rows[0][i].text.plain().startsWith(sign), isLowerBound);
     }
 
+    void sentencesHaveANameAndAShortTime_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<double>("warm"); // s
+        QTest::addColumn<QString>("begin");
+        QTest::newRow("a third of an hour") << "X" << 12000.0 << "X was warm after 3.33 h:";
+        QTest::newRow("whole hours") << "X" << 14400.0 << "X was warm after 4 h:";
+        QTest::newRow("without a name") << "" << 14400.0 << "– was warm after 4 h:";
+    }
+    void sentencesHaveANameAndAShortTime() {
+        QFETCH(QString, name);
+        QFETCH(double, warm);
+        QFETCH(QString, begin);
+        ThermalChannel channel;
+        channel.channel.name = name.toStdString();
+        ThermalResponse &response = channel.responses.emplace_back();
+        response.tau = 1;
+        response.times = {0, warm, 36000};
+        response.response = {1, 1, 0};
+        channel.best = 0;
+        DriftMeasurement drift;
+        drift.temperatures = {{"air", {}, {20.0, 21.0, 21.0}}};
+        const QString text = thermalNotes(drift, {channel}, Language(Language::Id::english)).last();
+        QVERIFY2(text.simplified().startsWith(begin), qPrintable(text));
+    }
+
     void onlyTheChannelOfTheAxisCounts() {
         Document document = withDrift(40);
         editMeasurement<DriftMeasurement>(document, 0,
