@@ -160,6 +160,14 @@ private:
                                           : circle.second;
     }
 
+    /// Returns what the fitted points lack of a centre: that of their circle and of the set-up, mm.
+    [[nodiscard]] double takenOut(const FitTerm &term) const {
+        if (term.id != InfluenceId::centre)
+            return 0;
+        const Point &setUp = m_circles.front().setUp;
+        return term.axis == PlaneAxis::first ? m_centres.front().x + setUp.x : m_centres.front().y + setUp.y;
+    }
+
     void addSource(std::size_t j, const std::vector<FoundInfluence> &found) {
         const FitTerm &term = m_fit.terms[j];
         SourceEstimate source;
@@ -187,11 +195,7 @@ private:
             source.width = term.shape;
         if (term.id == InfluenceId::radiusDrift && hasSecond(j))
             source.step = source.fitted[1];
-        if (term.id == InfluenceId::centre) {
-            const Point &setUp = m_circles.front().setUp;
-            value +=
-                term.axis == PlaneAxis::first ? m_centres.front().x + setUp.x : m_centres.front().y + setUp.y;
-        }
+        value += takenOut(term);
         for (const FoundInfluence &one : found) {
             if (one.id == term.id && one.axis == term.axis) {
                 source.proposed = true;
@@ -352,7 +356,7 @@ private:
         }
         double value = 0;
         for (std::size_t j = 0; j < m_fit.terms.size(); ++j)
-            value += weights[Eigen::Index(j)] * m_fit.factor(j);
+            value += weights[Eigen::Index(j)] * (m_fit.factor(j) + takenOut(m_fit.terms[j]));
         sum.value = value * shownUnit(leading);
         sum.u = m_fit.u(weights) * shownUnit(leading);
         const double half = coverageFactor(m_fit.degreesOfFreedom(weights), 0.975) * sum.u;

@@ -65,6 +65,8 @@ private slots:
     void rankAndCondition_data();
     void rankAndCondition();
     void inseparableSourcesGiveTheirSum();
+    void aSumHoldsTheWholeCentre_data();
+    void aSumHoldsTheWholeCentre();
     void eachSourceIsRecognised_data();
     void eachSourceIsRecognised();
     void everyUsualPitchIsFound();
@@ -253,6 +255,40 @@ void DiagnosisTest::inseparableSourcesGiveTheirSum() {
         QVERIFY2(std::abs(one.value - both) < 0.01, qPrintable(QString::number(one.value)));
     }
     QVERIFY(std::ranges::count_if(quarter.sums, [](const SourceSum &s) { return s.of.size() == 2; }) == 2);
+}
+
+void DiagnosisTest::aSumHoldsTheWholeCentre_data() {
+    QTest::addColumn<int>("to");
+    QTest::newRow("a quarter") << 90;
+    QTest::newRow("half a circle") << 180;
+    QTest::newRow("more") << 200;
+}
+
+/// Also the part that is taken out of the points before the fit.
+void DiagnosisTest::aSumHoldsTheWholeCentre() {
+    QFETCH(int, to);
+    CircularSynthesis asked = machine();
+    asked.arc = {0, double(to)};
+    const Diagnosis d = diagnosed(asked, withoutSearch);
+    int withCentre = 0;
+    for (const SourceSum &sum : d.sums) {
+        double truth = 0;
+        double parts = 0;
+        for (const SourceSum::Part &part : sum.of) {
+            const SourceEstimate &source = d.sources[part.source];
+            withCentre += source.id == InfluenceId::centre ? 1 : 0;
+            for (const auto &made : asked.sources) {
+                if (made.id != source.id || made.axis != source.axis)
+                    continue;
+                const double one = part.factor * made.value * unitOf(made.id);
+                truth += one;
+                parts += std::abs(one);
+            }
+        }
+        QVERIFY2(std::abs(sum.value - truth) <= 1e-3 * parts,
+                 qPrintable(QString("%1 %2").arg(sum.value).arg(truth)));
+    }
+    QVERIFY(withCentre > 0);
 }
 
 void DiagnosisTest::eachSourceIsRecognised_data() {
