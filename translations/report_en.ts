@@ -285,6 +285,20 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>compared with a table of %1: %n point(s) from %2 to %3</source>
+        <translation>
+            <numerusform>compared with a table of %1: %n point from %2 to %3</numerusform>
+            <numerusform>compared with a table of %1: %n points from %2 to %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>compared with a table of %1, axis %4: %n point(s) from %2 to %3</source>
+        <translation>
+            <numerusform>compared with a table of %1, axis %4: %n point from %2 to %3</numerusform>
+            <numerusform>compared with a table of %1, axis %4: %n points from %2 to %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Mean over %n target(s): none rules it alone.</source>
         <translation>
             <numerusform>Mean over %n target: none rules it alone.</numerusform>

@@ -6000,13 +6000,19 @@
         <source>a compensation table of a control, to compare with the one written</source>
         <translation>table de compensation d’une commande, à comparer à celle qui est écrite</translation>
     </message>
-    <message>
-        <source>compared with a table of %1, axis %2: %3 points from %4 to %5</source>
-        <translation>comparé à une table de %1, axe %2&#xa0;: %3 points de %4 à %5</translation>
+    <message numerus="yes">
+        <source>compared with a table of %1, axis %4: %n point(s) from %2 to %3</source>
+        <translation>
+            <numerusform>comparé à une table de %1, axe %4&#xa0;: %n point de %2 à %3</numerusform>
+            <numerusform>comparé à une table de %1, axe %4&#xa0;: %n points de %2 à %3</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>compared with a table of %1: %3 points from %4 to %5</source>
-        <translation>comparé à une table de %1&#xa0;: %3 points de %4 à %5</translation>
+    <message numerus="yes">
+        <source>compared with a table of %1: %n point(s) from %2 to %3</source>
+        <translation>
+            <numerusform>comparé à une table de %1&#xa0;: %n point de %2 à %3</numerusform>
+            <numerusform>comparé à une table de %1&#xa0;: %n points de %2 à %3</numerusform>
+        </translation>
     </message>
     <message>
         <source>largest difference, written − compared: %1 at %2 %3</source>

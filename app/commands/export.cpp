@@ -155,11 +155,12 @@ void printComparison(const FoundTable &found, const CompensationTable &written, 
     const CompensationTable &table = found.table;
     printError(language.sentence(
         {table.axis.empty()
-             ? REPORT_TEXT("report", "compared with a table of %1: %3 points from %4 to %5")
-             : REPORT_TEXT("report", "compared with a table of %1, axis %2: %3 points from %4 to %5"),
-         {std::string(found.control), table.axis,
-          Number{static_cast<double>(table.positions.size()), Quantity::count},
-          Number{table.positions.front(), position}, Number{table.positions.back(), position}}}));
+             ? REPORT_TEXT_COUNTED("report", "compared with a table of %1: %n point(s) from %2 to %3")
+             : REPORT_TEXT_COUNTED("report",
+                                   "compared with a table of %1, axis %4: %n point(s) from %2 to %3"),
+         {std::string(found.control), Number{table.positions.front(), position},
+          Number{table.positions.back(), position}, table.axis},
+         static_cast<int>(table.positions.size())}));
     for (const Message &remark : found.remarks)
         printError(language.sentence(remark));
     const TableDifference difference = largestDifference(table, written);

@@ -417,7 +417,7 @@ void ImportExportTest::comparesWithTheTableOfAControl() {
                            "linuxcnc", "--per-direction",      "-o",       "-",          "--compare"};
     const Result compared = run(QStringList(form) << at("old.comp"));
     QVERIFY2(compared.code == 0, qPrintable(compared.err));
-    QVERIFY(compared.err.contains("compared with a table of LinuxCNC"));
+    QVERIFY(compared.err.contains("compared with a table of LinuxCNC: "));
     QVERIFY(compared.err.contains("largest difference, written − compared: "));
     QVERIFY(compared.err.contains("predicted with the compared table applied instead:"));
     const Result none = run(QStringList(form) << DATA "rtl/typical.rtl");

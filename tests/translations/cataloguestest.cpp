@@ -118,7 +118,6 @@ const QSet<QString> neverOne{
     "%1 runs on a bow: its ends lie towards +%2.", // an axis
     "%1 runs on a bow: its ends lie towards −%2.",
     "this text has %1 characters; expected no more than %2",
-    "compared with a table of %1, axis %2: %3 points from %4 to %5",
     "polygon of %1 faces",
     "fewer than %1 tests since the last intervention",
     "%1 in %2 years", // with a decimal
