@@ -2451,6 +2451,14 @@
         <translation>essai de positionnement de l’axe %1&#x202f;; points visés&#xa0;: %2&#x202f;; passes par sens&#xa0;: %3</translation>
     </message>
     <message>
+        <source>positioning test of axis %1; targets: %2; runs, positive only: %3</source>
+        <translation>essai de positionnement de l’axe %1&#x202f;; points visés&#xa0;: %2&#x202f;; passes, sens positif seul&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>positioning test of axis %1; targets: %2; runs, negative only: %3</source>
+        <translation>essai de positionnement de l’axe %1&#x202f;; points visés&#xa0;: %2&#x202f;; passes, sens négatif seul&#xa0;: %3</translation>
+    </message>
+    <message>
         <source>moves from %1 to %2: check the room before the start</source>
         <translation>déplacement de %1 à %2&#xa0;: vérifier l’espace avant le départ</translation>
     </message>

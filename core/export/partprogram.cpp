@@ -211,7 +211,10 @@ void requireSense(const CycleProgram &program, Dialect dialect) {
 void comments(ProgramWriter &writer, const CycleProgram &program, Dialect dialect, const Language &language) {
     const Quantity position = program.motion == Motion::linear ? Quantity::position : Quantity::angle;
     writer.comment(language.sentence(
-        REPORT_TEXT("report", "positioning test of axis %1; targets: %2; runs each way: %3"),
+        !program.only ? REPORT_TEXT("report", "positioning test of axis %1; targets: %2; runs each way: %3")
+        : *program.only == Direction::positive
+            ? REPORT_TEXT("report", "positioning test of axis %1; targets: %2; runs, positive only: %3")
+            : REPORT_TEXT("report", "positioning test of axis %1; targets: %2; runs, negative only: %3"),
         {program.axis, wholeNumber(program.targets.size()), wholeNumber(program.runs)}));
     const Interval moved = movedThrough(program);
     writer.comment(language.sentence(

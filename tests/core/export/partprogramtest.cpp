@@ -263,6 +263,16 @@ M30
 )"));
     }
 
+    void oneDirectionIsSaid() {
+        CycleProgram program = small();
+        for (const auto &[only, said] : {std::pair{Direction::positive, "runs, positive only: 1"},
+                                         std::pair{Direction::negative, "runs, negative only: 1"}}) {
+            program.only = only;
+            const QByteArray text = partProgram(program, Dialect::iso, english());
+            QVERIFY2(text.contains(said) && !text.contains("each way"), text.constData());
+        }
+    }
+
     void siemensProgram() {
         CycleProgram program = small();
         program.axis = "X1";
