@@ -9375,6 +9375,10 @@
         <translation>aucune valeur usuelle n’est connue pour ses essais</translation>
     </message>
     <message>
+        <source>its tests have no results to explain</source>
+        <translation>ses essais n’ont pas de résultats à expliquer</translation>
+    </message>
+    <message>
         <source>“%1” does not say the sign of its deviations; read as actual − target.</source>
         <translation>«&#xa0;%1&#xa0;» ne dit pas le signe de ses écarts&#x202f;; lu comme «&#xa0;réel − visé&#xa0;».</translation>
     </message>

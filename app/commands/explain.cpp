@@ -175,10 +175,11 @@ int runExplain(const Invocation &invocation) {
         const std::vector<ExplainedTest> tests = explained(evaluated, asked, language);
         if (tests.empty() && asked.parameter)
             refuseUnknown(evaluated, asked);
-        if (tests.empty() && asked.typical)
-            printError(
-                file + QStringLiteral(": ") +
-                invocation.language.text(REPORT_TEXT("report", "no typical value is known for its tests")));
+        if (tests.empty())
+            printError(file + QStringLiteral(": ") +
+                       invocation.language.text(
+                           asked.typical ? REPORT_TEXT("report", "no typical value is known for its tests")
+                                         : REPORT_TEXT("report", "its tests have no results to explain")));
         if (asJson)
             printOut(explanationJson(evaluated, shownFileName(file), tests));
         else

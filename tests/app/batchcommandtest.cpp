@@ -586,6 +586,9 @@ void BatchCommandTest::explainNamesWhatThereIs() {
     QCOMPARE(runCli({"explain", at("in/a.palmer"), "A↑"}, {}, {{"LC_ALL", "C.UTF-8"}}).code, 0);
     QCOMPARE(runCli({"explain", at("in/a.palmer"), "A", "--test", "2"}).code, 2);
     QCOMPARE(runCli({"explain", at("in/a.palmer"), "A", "R"}).code, 2);
+    QCOMPARE(runCli({"synthesize", "drift", "-o", at("drift.palmer")}).code, 0);
+    QVERIFY(runCli({"explain", at("drift.palmer"), "--language", "en"})
+                .err.endsWith("its tests have no results to explain\n"));
     const CliResult one = runCli({"explain", at("in/a.palmer"), "A", "--language", "en"});
     QVERIFY2(one.out.contains("18.0"), one.out); // ISO 230-2:1988, table 2: 18.03 µm
 }
