@@ -40,8 +40,72 @@ bool isOfSeveralRuns(std::string_view text) {
     return numbers > 1 && label.size() + 1 < text.size();
 }
 
+bool saysUnit(std::string_view text) {
+    return saidUnit(text).isSaid();
+}
+
+/// "Reading (Zg)": an unknown word in brackets at the end is an unknown unit.
+std::string wordInBrackets(std::string_view heading) {
+    constexpr std::size_t longest = 8;
+    const std::size_t open = heading.find_last_of("([");
+    if (open == std::string_view::npos || open == 0 || heading.find_last_of(")]") != heading.size() - 1)
+        return {};
+    const std::string_view inside = withoutBlanks(heading.substr(open + 1, heading.size() - open - 2));
+    const bool isWord =
+        inside.size() > 1 && inside.size() <= longest &&
+        std::ranges::none_of(inside, [](char c) { return isDigit(c) || c == ' ' || c == ','; });
+    return isWord && readHeading(inside).unknownWords == 1 && !senseIn(inside) ? std::string(inside)
+                                                                               : std::string();
+}
+
+/// Some are units only in brackets: "m", "V", a quotation mark.
+bool isUnitInBrackets(std::string_view text) {
+    return !saysUnit(text) && saysUnit('(' + std::string(text) + ')');
+}
+
+/// A unit and nothing else.
+bool isBareUnit(std::string_view text) {
+    const HeadingWords heading = readHeading(text);
+    return saysUnit(text) && heading.meaning == Meaning::unknown && !heading.direction && !heading.hint &&
+           !heading.number && heading.unknownWords == 0 && heading.words <= 1;
+}
+
+/// "div" below a heading, where the word beside it is a unit.
+bool couldBeUnit(std::string_view text) {
+    return !wordInBrackets("of (" + std::string(text) + ')').empty();
+}
+
+bool isUnitOrEmpty(const CellTable &table, const TableCell &cell) {
+    const std::string_view text = table.text(cell);
+    return cell.kind == CellKind::empty || isUnitInBrackets(text) || isBareUnit(text);
+}
+
+/// True for a heading row of units, in which a dash means none. "in;div;div": a word that is a unit in such a
+/// row alone, above words that are nothing else.
+bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
+    const auto isUnit = [&](const TableCell &cell) { return isBareUnit(table.text(cell)); };
+    if (std::ranges::any_of(cells, isUnit))
+        return true;
+    const auto isUnitHere = [&](const TableCell &cell) { return isUnitInBrackets(table.text(cell)); };
+    while (!cells.empty() && cells.front().kind == CellKind::empty) // the bar of Markdown, a counter
+        cells = cells.subspan(1);
+    return cells.size() > 1 && isUnitHere(cells.front()) &&
+           std::ranges::all_of(cells.subspan(1), [&](const TableCell &cell) {
+               return cell.kind == CellKind::empty || isUnitHere(cell) || couldBeUnit(table.text(cell));
+           });
+}
+
+/// "[mm];;;[µm]": the units of columns, of which some have none.
+bool isRowOfUnitsAlone(const CellTable &table, const TableRow &row, std::size_t width) {
+    const auto cells = trimmed(table.cells(row));
+    return !row.comment && cells.size() > 1 && 2 * cells.size() >= width && isRowOfUnits(table, cells) &&
+           std::ranges::all_of(cells, [&](const TableCell &cell) { return isUnitOrEmpty(table, cell); });
+}
+
 /// True if a row above the body describes its columns.
 bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
+    if (isRowOfUnitsAlone(table, row, width))
+        return true;
     if (row.comment || isComputedRow(table, row) || isRowOfStatements(table, row))
         return false;
     const auto cells = trimmed(table.cells(row));
@@ -152,54 +216,6 @@ bool takeFromComment(const CellTable &table, const TableRow &row, std::vector<Ta
     return takeParted(Delimiter::tab);
 }
 
-bool saysUnit(std::string_view text) {
-    return saidUnit(text).isSaid();
-}
-
-/// "Reading (Zg)": an unknown word in brackets at the end is an unknown unit.
-std::string wordInBrackets(std::string_view heading) {
-    constexpr std::size_t longest = 8;
-    const std::size_t open = heading.find_last_of("([");
-    if (open == std::string_view::npos || open == 0 || heading.find_last_of(")]") != heading.size() - 1)
-        return {};
-    const std::string_view inside = withoutBlanks(heading.substr(open + 1, heading.size() - open - 2));
-    const bool isWord =
-        inside.size() > 1 && inside.size() <= longest &&
-        std::ranges::none_of(inside, [](char c) { return isDigit(c) || c == ' ' || c == ','; });
-    return isWord && readHeading(inside).unknownWords == 1 && !senseIn(inside) ? std::string(inside)
-                                                                               : std::string();
-}
-
-/// Some are units only in brackets: "m", "V", a quotation mark.
-bool isUnitInBrackets(std::string_view text) {
-    return !saysUnit(text) && saysUnit('(' + std::string(text) + ')');
-}
-
-/// A unit and nothing else.
-bool isBareUnit(std::string_view text) {
-    const HeadingWords heading = readHeading(text);
-    return saysUnit(text) && heading.meaning == Meaning::unknown && !heading.direction && !heading.hint &&
-           !heading.number && heading.unknownWords == 0 && heading.words <= 1;
-}
-
-/// "div" below a heading, where the word beside it is a unit.
-bool couldBeUnit(std::string_view text) {
-    return !wordInBrackets("of (" + std::string(text) + ')').empty();
-}
-
-/// True for a heading row of units, in which a dash means none. "in;div;div": a word that is a unit in such a
-/// row alone, above words that are nothing else.
-bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
-    const auto isUnit = [&](const TableCell &cell) { return isBareUnit(table.text(cell)); };
-    if (std::ranges::any_of(cells, isUnit))
-        return true;
-    const auto isUnitHere = [&](const TableCell &cell) { return isUnitInBrackets(table.text(cell)); };
-    return cells.size() > 1 && isUnitHere(cells.front()) &&
-           std::ranges::all_of(cells.subspan(1), [&](const TableCell &cell) {
-               return isUnitHere(cell) || couldBeUnit(table.text(cell));
-           });
-}
-
 /// "Name; X position; Y position" above "Unit; mm; mm": properties of each column, as written by
 /// oscilloscopes of controls. False if no line names the columns and none their units.
 bool takeFromProperties(const CellTable &table, const TableBlock &block, std::vector<TableColumn> &columns) {
@@ -237,14 +253,13 @@ bool isShortRowOfUnits(const CellTable &table, const TableRow &row, std::size_t 
     const auto cells = trimmed(table.cells(row));
     if (row.comment || cells.empty() || 2 * cells.size() >= width)
         return false;
-    return std::ranges::all_of(cells, [&](const TableCell &cell) {
-        const std::string_view text = table.text(cell);
-        return cell.kind == CellKind::empty || isUnitInBrackets(text) || isBareUnit(text);
-    });
+    return std::ranges::all_of(cells, [&](const TableCell &cell) { return isUnitOrEmpty(table, cell); });
 }
 
 /// A row between headings and numbers that hides no heading: a title, units, a label with its value.
 bool isPassedOver(const CellTable &table, const TableRow &row, std::size_t width) {
+    if (isRowOfUnitsAlone(table, row, width))
+        return false;
     return isShortRowOfUnits(table, row, width) || isRowOfStatements(table, row) ||
            (!isHeading(table, row, width) && isLabelledValue(table, row));
 }

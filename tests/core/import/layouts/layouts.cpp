@@ -84,6 +84,15 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Écart 1 [µm];1;2;3;4;5;6\n",
         "ignored,run+,run-,run+,run-,run+,run- / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ");
     // Columns of fixed width: a single blank parts the words of a label.
+    // Units above or below what they belong to.
+    row("units of some columns",
+        "No.;Target;Direction;Run;Deviation\n;[mm];;;[nm]\n1;0;up;1;100\n2;100;up;1;200\n"
+        "3;100;down;1;300\n4;0;down;1;400\n",
+        "ignored,target,direction,number,deviation / 0 100 / ↑ 0.1 0.2 / ↓ 0.4 0.3 / ");
+    row("inches in bars",
+        "| Pos. | up 1 | down 1 |\n|---|---|---|\n| in | in | in |\n| 0 | 0.001 | 0.002 |\n"
+        "| 1 | 0.003 | 0.004 |\n",
+        "ignored,target,run+1,run-1,ignored / 0 25.4 / ↑ 25.4 76.2 / ↓ 50.8 101.6 / ");
     row("labels of fixed width",
         "  Axis position (mm)   10.000   160.000   304.280\n           up 1 (µm)      3.3       0.1     "
         " -2.2\n         down 1 (µm)      6.2       3.9       2.3\n",
