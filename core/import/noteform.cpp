@@ -42,7 +42,25 @@ void takeValue(const QString &text, UnitStatement &statement) {
     }
 }
 
+Meaning meaningOf(const QString &words);
+
+/// "Deviations [nm]", "at position (mm)": a quantity of the table and its unit in brackets, nothing else.
+std::optional<UnitStatement> unitInBrackets(const QString &text) {
+    static const QRegularExpression form(QStringLiteral(R"(^([^:=\d(\[]+)\s*[(\[]([^)\]]+)[)\]]$)"));
+    const auto found = form.match(text.trimmed());
+    if (!found.hasMatch())
+        return {};
+    UnitStatement statement{found.captured(1), saidUnit('(' + found.captured(2).toStdString() + ')')};
+    constexpr int mostUnknown = 1; // "at"
+    const bool isOfTable = isOneOf(meaningOf(statement.of),
+                                   {Meaning::deviation, Meaning::actual, Meaning::place, Meaning::target}) &&
+                           readHeading(statement.of.toStdString()).unknownWords <= mostUnknown;
+    return isOfTable && statement.unit.unit ? std::optional(statement) : std::nullopt;
+}
+
 std::optional<UnitStatement> unitStatement(const QString &text) {
+    if (const auto inBrackets = unitInBrackets(text))
+        return inBrackets;
     static const QRegularExpression word(
         QStringLiteral(
             R"(\bunit(?:s|e|es|é|és|à|a|ies)?\b|\bunidad(?:es)?\b|(?:ma(?:ß|ss)|mess)?einheit(?:en)?\b|)"
@@ -180,8 +198,9 @@ bool readForm(const LabelledValue &said, FileNotes &notes) {
             R"(kompensations(?:werte|tabelle)|valeurs? de (?:correction|compensation)|valori di (?:correzione|)"
             R"(compensazione)|valores de (?:correcci[oó]n|compensaci[oó]n))\b)"),
         anyCase);
-    // "Positions in inches, deviations in microns"
-    static const QRegularExpression between(QStringLiteral(R"(\s*[,;]\s+|\s+(?:and|und|et|e|y)\s+)"));
+    // "Positions in inches, deviations in microns", "Deviation (nm) at position (mm)"
+    static const QRegularExpression between(
+        QStringLiteral(R"(\s*[,;]\s+|\s+(?:and|und|et|e|y)\s+|(?<=[)\]])\s+\w+\s+(?=\w))"));
     const QString text = statementOf(said);
     const QStringList clauses = text.split(between);
     if (clauses.size() > 1 &&

@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "document/place.h"
+#include "import/noteform.h"
 
 #include <algorithm>
 
@@ -217,8 +218,10 @@ private:
         };
         for (const std::uint32_t head : m.body.columnHeads) {
             const HeadingWords title = readTitle(m.textOf(head));
-            if (!isUsed(head) && !(title.isTitle() && title.direction))
-                m.notes.unused.add(m.row(head).line, m.textOf(head));
+            if (isUsed(head) || (title.isTitle() && title.direction))
+                continue;
+            const bool isRead = readForm({{}, {}, m.textOf(head)}, m.notes); // "Deviation (nm)"
+            (isRead ? m.notes.used : m.notes.unused).add(m.row(head).line, m.textOf(head));
         }
     }
 

@@ -267,6 +267,8 @@ private slots:
         row("Unit: cm\nDeviation unit: nm", "nm", "cm");
         row("Temperature unit: C, Pressure unit: mm", "mm", "mm");
         row("单位：微米", "um", "mm");
+        row("Deviations [nm]", "nm", "mm");
+        row("Deviation (nm) at position (in)", "nm", "in");
     }
     void unitsAboveTheTable() {
         QFETCH(QByteArray, line);

@@ -93,6 +93,10 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "| Pos. | up 1 | down 1 |\n|---|---|---|\n| in | in | in |\n| 0 | 0.001 | 0.002 |\n"
         "| 1 | 0.003 | 0.004 |\n",
         "ignored,target,run+1,run-1,ignored / 0 25.4 / ↑ 25.4 76.2 / ↓ 50.8 101.6 / ");
+    row("units above targets across",
+        ";;Deviation (nm) at position (in)\nRun;Direction;0;10;20\n1;forward;40;120;250\n"
+        "1;reverse;140;220;350\n",
+        "ignored,direction,run,run,run / 0 254 508 / ↑ 0.04 0.12 0.25 / ↓ 0.14 0.22 0.35 / ");
     row("labels of fixed width",
         "  Axis position (mm)   10.000   160.000   304.280\n           up 1 (µm)      3.3       0.1     "
         " -2.2\n         down 1 (µm)      6.2       3.9       2.3\n",
