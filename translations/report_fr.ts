@@ -5537,6 +5537,14 @@
         <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» n’indique pas de sens, contrairement aux autres&#x202f;; elle n’est pas lue.</translation>
     </message>
     <message>
+        <source>Columns: “%1” and “%2” are headed alike; only the first is read as targets.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» ont des en-têtes semblables&#x202f;; seule la première est lue comme points visés.</translation>
+    </message>
+    <message>
+        <source>The target %1 is out of the order of all others; look whether a cell of its line is missing.</source>
+        <translation>Le point visé %1 ne suit pas l’ordre de tous les autres&#x202f;; vérifiez s’il manque une cellule dans sa ligne.</translation>
+    </message>
+    <message>
         <source>Columns: “%1” may be a run like the others; it is not read.</source>
         <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» est peut-être une passe comme les autres&#x202f;; elle n’est pas lue.</translation>
     </message>

@@ -163,6 +163,79 @@ private:
     std::vector<Count> m_counts;
 };
 
+namespace {
+
+/// "Target 100 mm": a word, a number, and its unit if any.
+struct NumberedWord {
+    std::string_view word;
+    double number = 0;
+    const Unit *unit = nullptr;
+};
+
+std::optional<NumberedWord> numberedWord(std::string_view text, DecimalMark mark) {
+    const std::size_t digit = text.find_first_of("0123456789");
+    if (digit == std::string_view::npos || digit == 0)
+        return {};
+    const std::size_t begin = text.find_last_of(" :=", digit);
+    if (begin == std::string_view::npos)
+        return {};
+    const std::string_view rest = withoutBlanks(text.substr(begin + 1));
+    const std::string_view word = withoutBlanks(text.substr(0, text.find_last_not_of(" :=", begin) + 1));
+    if (const LeadingNumber number = leadingNumber(rest, mark); number.size == rest.size())
+        return NumberedWord{word, number.value};
+    const auto read = cellWithUnit(rest, mark);
+    return read ? std::optional(NumberedWord{word, read->value, read->unit}) : std::nullopt;
+}
+
+/// True for 1, 2, 3, which count.
+bool areCounted(const std::vector<double> &numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i] != static_cast<double>(i + 1))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+void CellTable::takeNumbersBehind(bool (*isOfTargets)(std::string_view word)) {
+    constexpr std::size_t mostRows = 100;
+    constexpr std::size_t fewest = 3;
+    for (std::uint32_t i = 0; i < std::min(m_rows.size(), mostRows); ++i) {
+        const auto cells = std::span(m_cells).subspan(m_rows[i].first, m_rows[i].count);
+        if (m_rows[i].comment || std::ranges::any_of(cells, &TableCell::isNumber))
+            continue;
+        std::vector<std::pair<TableCell *, NumberedWord>> found;
+        std::vector<double> numbers;
+        for (TableCell &cell : cells) {
+            const auto said =
+                cell.kind == CellKind::text ? numberedWord(text(cell), decimalMark.value) : std::nullopt;
+            if (!said || !isOfTargets(said->word))
+                continue;
+            found.emplace_back(&cell, *said);
+            numbers.push_back(said->number);
+        }
+        const auto isOther = [&](const auto &each) {
+            return each.second.word != found.front().second.word ||
+                   each.second.unit != found.front().second.unit;
+        };
+        const bool isAscending =
+            std::ranges::adjacent_find(numbers, std::ranges::greater_equal()) == numbers.end();
+        const bool isDescending =
+            std::ranges::adjacent_find(numbers, std::ranges::less_equal()) == numbers.end();
+        if (found.size() < fewest || std::ranges::any_of(found, isOther) || areCounted(numbers) ||
+            !(isAscending || isDescending))
+            continue;
+        if (found.front().second.unit)
+            m_rowUnit = {i, found.front().second.unit};
+        for (auto &[cell, said] : found) {
+            cell->kind = CellKind::number;
+            cell->value = said.number;
+        }
+        return;
+    }
+}
+
 void CellTable::takeUnits() {
     if (!std::exchange(m_saysUnits, false))
         return;

@@ -77,6 +77,10 @@ public:
     };
     [[nodiscard]] const RowUnit &unitOfRow() const { return m_rowUnit; }
 
+    /// Converts cells that repeat one word with a number each, such as "Target 100 mm", to these numbers if
+    /// the word `isOfTargets` and no other number is in their line.
+    void takeNumbersBehind(bool (*isOfTargets)(std::string_view word));
+
     /// Converts cells with a unit to numbers if most numbers of their column have one, all in the same unit;
     /// decimals are moved in the text. Other cells remain texts.
     void takeUnits();

@@ -207,6 +207,26 @@ void takeChosenColumns(ColumnSearch &search, std::vector<ImportColumn> chosen) {
     search.result = std::move(result);
 }
 
+/// "P1; P2; P3": targets across whose positions are not said, of which the first is no column of targets.
+void askForTargetsAcross(ColumnSearch &search) {
+    if (!search.result.target)
+        return;
+    const std::vector<TableColumn> &heads = search.reading.body.columns;
+    const TableColumn &target = heads[*search.result.target];
+    const auto isAlike = [&](const TableColumn &head) {
+        return head.kind == ColumnKind::numbers && head.meaning == target.meaning && head.words.number &&
+               head.words.number != target.words.number && !head.words.direction;
+    };
+    const auto other = std::ranges::find_if(heads, isAlike);
+    if (!target.words.number || other == heads.end() ||
+        search.result.columns[static_cast<std::size_t>(other - heads.begin())].role == ColumnRole::target)
+        return;
+    search.reading.remarks.problem("columns",
+                                   REPORT_TEXT("report", "Columns: “%1” and “%2” are headed alike; only the "
+                                                         "first is read as targets."),
+                                   excerpt(target.heading), excerpt(other->heading));
+}
+
 /// Settles the columns: the user's choice, otherwise what was found, with its question.
 void resolve(ColumnSearch &search) {
     TableReading &m = search.reading;
@@ -219,6 +239,8 @@ void resolve(ColumnSearch &search) {
     if (!search.result.target || search.result.values.empty())
         refuseContent(REPORT_TEXT("report", "the columns of the targets and "
                                             "of the readings are not known; give the columns their roles"));
+    if (!m.choices.isChosen("columns"))
+        askForTargetsAcross(search);
     placeOwnTargets(search.result);
     takeUnitColumn(search);
     quoteForeignUnit(search);

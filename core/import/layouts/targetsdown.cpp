@@ -572,6 +572,20 @@ private:
         m_found.hasHints |= completed && 2 * static_cast<std::size_t>(upward) != m_pieces.size();
     }
 
+    /// The only one without which all others are in order; none among few.
+    [[nodiscard]] static std::optional<std::size_t> strayOf(const std::vector<double> &positions) {
+        constexpr std::size_t fewest = 5;
+        constexpr std::size_t most = 1000; // lines: this compares each with all
+        for (std::size_t i = 0;
+             i < positions.size() && positions.size() >= fewest && positions.size() <= most; ++i) {
+            std::vector<double> others = positions;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+            if (isStrictlyMonotone(others))
+                return i;
+        }
+        return {};
+    }
+
     std::vector<std::vector<std::uint32_t>> piecesOf(const TableBlock &block, bool &shuffled) {
         std::vector<std::vector<std::uint32_t>> pieces;
         std::vector<std::uint32_t> rows;
@@ -592,6 +606,11 @@ private:
             std::ranges::sort(sorted);
         if (isOrdered || std::ranges::adjacent_find(sorted) == sorted.end()) {
             shuffled |= !isOrdered;
+            if (const auto stray = isOrdered ? std::nullopt : strayOf(positions))
+                m.remarks.problem({"columns", m.row(rows[*stray]).line},
+                                  REPORT_TEXT("report", "The target %1 is out of the order of all others; "
+                                                        "look whether a cell of its line is missing."),
+                                  excerpt(m.cellText(rows[*stray], m_target)));
             pieces.push_back(std::move(rows));
             return pieces;
         }

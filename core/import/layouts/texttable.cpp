@@ -320,6 +320,10 @@ void readMeasurementTable(Choices &choices, Imported &imported, const std::vecto
     if (choices.isChosen("lines"))
         keepLines(imported.table, choices.resolve("lines", {}, Origin::chosen).value);
     setColumnsAside(imported.table);
+    imported.table.takeNumbersBehind([](std::string_view word) {
+        const HeadingWords heading = readHeading(word);
+        return isOneOf(heading.meaning, {Meaning::target, Meaning::place}) && heading.unknownWords == 0;
+    });
     imported.table.takeUnits();
     setStatementsAside(imported.table);
     TableReading reading(imported, choices, covers);

@@ -84,6 +84,17 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Écart 1 [µm];1;2;3;4;5;6\n",
         "ignored,run+,run-,run+,run-,run+,run- / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ");
     // Columns of fixed width: a single blank parts the words of a label.
+    row("targets in the words of headings",
+        "Direction;Run;Target 0 mm;Target 100 mm;Target 200 mm\nforward;1;1;2;3\nreverse;1;4;5;6\n"
+        "forward;2;1.5;2.5;3.5\nreverse;2;4.5;5.5;6.5\n",
+        "direction,ignored,run,run,run / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / ↑ 1.5 2.5 3.5 / ↓ 4.5 5.5 6.5 / "
+        "content unit");
+    row("targets that are only numbered", "Run;Direction;P1;P2;P3\n1;forward;1;2;3\n1;reverse;4;5;6\n",
+        "number,direction,target,run2,run3 / 1 4 / ↑ 2 – / ↓ – 5 / ↑ 3 – / ↓ – 6 / columns content "
+        "positionUnit unit");
+    row("a line without its first cell",
+        "Target (mm);↑ 1 (µm);↓ 1 (µm)\n0;1;2\n100;3;4\n200;5;6\n7;8\n400;9;10\n500;11;12\n",
+        "target,run+1,run-1 / 0 7 100 200 400 500 / ↑ 1 8 3 5 9 11 / ↓ 2 – 4 6 10 12 / columns");
     // Units above or below what they belong to.
     row("units of some columns",
         "No.;Target;Direction;Run;Deviation\n;[mm];;;[nm]\n1;0;up;1;100\n2;100;up;1;200\n"
