@@ -31,7 +31,8 @@ constexpr WordList dayOthers =
 
 constexpr std::array labelRows{
     LabelRow{NoteFact::machine,
-             "machine,maschine,macchina,maquina,werkzeugmaschine,maschinenname,maschinenbezeichnung",
+             "machine,maschine,macchina,maquina,werkzeugmaschine,maschinenname,maschinenbezeichnung,"
+             "stroj,maszyna,obrabiarka,станок,机床,设备,机器,機械,工作機械",
              " name nom nome nombre bezeichnung tool outil utensile herramienta of la de der della under "
              "test tested essayee testee verifiee controlee mesuree in prova collaudata misurata ensayada "
              "gepruft gepruefte geprufte "},
@@ -41,7 +42,8 @@ constexpr std::array labelRows{
         "nummer,"
         "matricola,n de serie,no de serie,nº de serie,numero de serie,numero di serie,num de serie,n serie,"
         "n di serie,maschinen seriennummer,maschinenseriennummer,ser nr,ser no,maschinennummer,maschinennr,"
-        "maschinen nr,maschinen nummer,masch nr",
+        "maschinen nr,maschinen nummer,masch nr,serienummer,vyrobni cislo,numer seryjny,nr seryjny,"
+        "серииныи номер,заводскои номер,序列号,机床编号,出厂编号,製造番号,シリアル番号,機番",
         " the of machine maschine macchina maquina la der della "},
     LabelRow{
         NoteFact::operatorName,
@@ -50,16 +52,18 @@ constexpr std::array labelRows{
         "essai par,realise par,effectue par,gemessen von,gepruft von,geprueft von,durchgefuhrt von,misurato "
         "da,"
         "eseguito da,medido por,realizado por,collaudatore,tecnico,bearbeiter,ausgefuhrt von,verifie par,"
-        "controle par,verificato da,collaudato da",
+        "controle par,verificato da,collaudato da,uitgevoerd door,gemeten door,оператор,исполнитель,操作员,"
+        "操作者,检测员,检验员,检测人,測定者,担当者,作業者",
         " name nom nome nombre the of de l "},
-    LabelRow{NoteFact::axis, "axis,axe,achse,asse,eje,messachse,prufachse,pruefachse",
+    LabelRow{NoteFact::axis,
+             "axis,axe,achse,asse,eje,messachse,prufachse,pruefachse,as,eixo,osa,os,ось,轴,軸",
              " name nom nome nombre measured tested test mesure essai essaye under the of de mesuree essayee "
              "misurato in prova medido ensayado gemessene geprufte gepruefte "},
     LabelRow{NoteFact::plane, "plane,plan,ebene,piano,plano,messebene",
              " test measurement mesure essai the of de "},
     LabelRow{NoteFact::date,
              "date,datum,data,fecha,day,tag,jour,giorno,dia,messdatum,messtag,prufdatum,pruefdatum,prufung "
-             "vom,messung vom",
+             "vom,messung vom,дата,日期,测量日期,检测日期,测试日期,日付,測定日",
              dayOthers},
     LabelRow{NoteFact::day,
              "measured,tested,gemessen,gepruft,geprueft,mesure,misurato,medido,started,start,begin,debut",
@@ -107,8 +111,19 @@ constexpr std::array labelRows{
              "calibrated,length calibrated,ballbar calibrated,kalibriert,etalonne,calibrato,calibrado", " "},
 };
 
-constexpr WordList temperatureWords = " temp temperature temperatures temperatur temperatura t° ";
-constexpr std::string_view temperatureCompound = "temperatur"; // "Lufttemperatur"
+constexpr WordList temperatureWords = " temp temperature temperatures temperatur temperatura t° "
+                                      "temperatuur teplota температура 温度 气温 気温 室温 ";
+constexpr std::array<std::string_view, 3> temperatureCompounds{"temperatur", "temperatuur",
+                                                               "温度"}; // "Lufttemperatur"
+
+/// What is before the end of a compound; the whole word if it is none.
+std::string_view beforeTemperature(std::string_view word) {
+    for (const std::string_view compound : temperatureCompounds) {
+        if (word.ends_with(compound))
+            return word.substr(0, word.size() - compound.size());
+    }
+    return word;
+}
 
 /// A temperature is the reading of a sensor only if all its words are here: "rise", "limit", "before" are
 /// not.
@@ -133,7 +148,8 @@ constexpr WordList sensorPlaces = " air luft aria aire ambient ambiant ambiante 
                                   "current axis axe achse achsen asse eje x y z u v w a b c no nr "
                                   "of the in on at de d del dell della di du des la le l les der die das dem "
                                   "von am an im il lo el test essai "
-                                  "messung c deg degc f degf k ";
+                                  "messung c deg degc f degf k lucht omgevings ar do da "
+                                  "vzduchu powietrza otoczenia воздуха 空气 环境 空気 環境 室内 ";
 constexpr WordList sensorWords = " sensor sensors sonde sondes fuhler capteur capteurs sensore sensori ";
 constexpr WordList startWords = " start begin beginning initial debut anfang anfangs beginn inizio inicio ";
 constexpr WordList endWords = " end final finish fin ende fine schluss ";
@@ -154,7 +170,8 @@ constexpr WordList dayWords = " date datum data fecha day tag jour test tests es
                               "measurement measurements mesure mesures misura medicion measured tested "
                               "gemessen gepruft geprueft misurato "
                               "medido run runs of on the am vom le du de der del della d l and axis axe "
-                              "achse asse eje x y z u v w b c ";
+                              "achse asse eje x y z u v w b c "
+                              "дата 日期 测量日期 检测日期 测试日期 日付 測定日 ";
 
 /// Beginnings of words before a date that is not the day of the test.
 constexpr std::array<std::string_view, 48> otherDays{
@@ -202,15 +219,14 @@ bool anyIn(WordList list, const std::vector<std::string> &words) {
 }
 
 bool isTemperatureWord(const std::string &word) {
-    return isIn(temperatureWords, word) ||
-           (word.ends_with(temperatureCompound) || word.ends_with("temperaturen"));
+    return isIn(temperatureWords, word) || beforeTemperature(word).size() < word.size() ||
+           word.ends_with("temperaturen");
 }
 
 bool isSensorWord(std::string word) {
     if (word.ends_with("temperaturen"))
         word.resize(word.size() - 2);
-    if (word.ends_with(temperatureCompound)) // "Lufttemperatur"
-        word.resize(word.size() - temperatureCompound.size());
+    word = beforeTemperature(word);
     const auto isKnown = [](const std::string &each) {
         return each.empty() || isNumber(each) || isIn(temperatureWords, each) || isIn(sensorPlaces, each) ||
                isIn(sensorWords, each) || isIn(startWords, each) || isIn(endWords, each) ||
@@ -363,9 +379,10 @@ bool namesOtherDay(std::string_view text) {
 }
 
 SensorMeasures measuredBy(std::string_view name) {
-    constexpr std::array<std::string_view, 16> air{
-        "air",      "ambi",  "luft",    "aria",  "aire", "room",    "hall",      "raum",
-        "umgebung", "salle", "atelier", "local", "sala", "environ", "werkstatt", "workshop"};
+    constexpr std::array<std::string_view, 27> air{
+        "lucht", "omgeving", "vzduch", "powietrz", "воздух", "空气", "空気",    "室温",      "气温",
+        "気温",  "air",      "ambi",   "do ar",    "luft",   "aria", "aire",    "room",      "hall",
+        "raum",  "umgebung", "salle",  "atelier",  "local",  "sala", "environ", "werkstatt", "workshop"};
     constexpr std::array<std::string_view, 6> instrument{"instrument", "ballbar", "scale",
                                                          "laser",      "etalon",  "strument"};
     const std::string low = folded(name);

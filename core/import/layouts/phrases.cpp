@@ -42,44 +42,55 @@ struct Phrases {
 };
 
 constexpr std::array phrases{
-    Phrases{Meaning::unknown, Sign::up,
-            "*: +|↑|⇑|↗|→|->|-->|>>|=>|»|en: forward|forwards|fwd|up|upward|upwards|ascending|increasing|en "
-            "fr: positive|fr: aller|positif|montee|montant|croissant|croissante|avant|ascendant|fr de: plus|"
-            "de: hin|hinfahrt|hinweg|hinlauf|vorw|vorwarts|vorwaerts|vorlauf|vor|positiv|aufwarts|aufwaerts|"
-            "steigend|it: andata|avanti|salita|crescente|it es: positivo|positiva|es: ida|adelante|subida|"
-            "creciente|es it: ascendente|cs: tam|vpřed|nahoru|kladný|kladná|pl: naprzód|w przód|do przodu|"
-            "dodatni|dodatnia|ru: вперёд|вперед|прямо|прямой|прямое|положительный|положительное|zh ja: 正向|"
-            "正方向|前进|去程|往路|前進"},
-    Phrases{Meaning::unknown, Sign::down,
-            "*: -|↓|⇓|↘|←|<-|<--|<<|<=|«|en: backward|backwards|bwd|back|reverse|down|downward|downwards|"
-            "descending|decreasing|en fr: negative|fr: retour|negatif|descente|descendant|decroissant|"
-            "decroissante|arriere|moins|de: minus|ruck|rueck|zuruck|zurueck|ruckfahrt|rueckfahrt|ruckweg|"
-            "rueckweg|rucklauf|ruecklauf|ruckw|rueckw|ruckwarts|rueckwaerts|her|negativ|abwarts|abwaerts|"
-            "fallend|it: "
-            "ritorno|indietro|discesa|decrescente|discendente|it es: negativo|negativa|es: vuelta|regreso|"
-            "retorno|atras|retroceso|bajada|descendente|decreciente|cs: zpět|vzad|dolů|záporný|záporná|pl: "
-            "wstecz|do tyłu|z powrotem|powrót|ujemny|ujemna|ru: назад|обратно|обратный|обратное|"
-            "отрицательный|отрицательное|zh ja: 负向|反向|负方向|反方向|后退|回程|返程|復路|負方向|逆方向|"
-            "後退"},
+    Phrases{
+        Meaning::unknown, Sign::up,
+        "*: +|↑|⇑|↗|→|->|-->|>>|=>|»|en: forward|forwards|fwd|up|upward|upwards|ascending|increasing|en "
+        "fr: positive|fr: aller|positif|montee|montant|croissant|croissante|avant|ascendant|fr de: plus|"
+        "de: hin|hinfahrt|hinweg|hinlauf|vorw|vorwarts|vorwaerts|vorlauf|vor|positiv|aufwarts|aufwaerts|"
+        "steigend|it: andata|avanti|salita|crescente|it es: positivo|positiva|es: ida|adelante|subida|"
+        "creciente|es it: ascendente|cs: tam|vpřed|nahoru|kladný|kladná|pl: naprzód|w przód|do przodu|"
+        "dodatni|dodatnia|ru: вперёд|вперед|прямо|прямой|прямое|положительный|положительное|туда|вверх|nl: "
+        "heen|vooruit|positief|cs: "
+        "dopředu|zh ja: 正向|正行程|"
+        ""
+        "正方向|前进|去程|往路|前進"},
+    Phrases{
+        Meaning::unknown, Sign::down,
+        "*: -|↓|⇓|↘|←|<-|<--|<<|<=|«|en: backward|backwards|bwd|back|reverse|down|downward|downwards|"
+        "descending|decreasing|en fr: negative|fr: retour|negatif|descente|descendant|decroissant|"
+        "decroissante|arriere|moins|de: minus|ruck|rueck|zuruck|zurueck|ruckfahrt|rueckfahrt|ruckweg|"
+        "rueckweg|rucklauf|ruecklauf|ruckw|rueckw|ruckwarts|rueckwaerts|her|negativ|abwarts|abwaerts|"
+        "fallend|it: "
+        "ritorno|indietro|discesa|decrescente|discendente|it es: negativo|negativa|es: vuelta|regreso|"
+        "retorno|atras|retroceso|bajada|descendente|decreciente|cs: zpět|vzad|dolů|záporný|záporná|pl: "
+        "wstecz|do tyłu|z powrotem|powrót|ujemny|ujemna|ru: назад|обратно|обратный|обратное|"
+        "отрицательный|отрицательное|вниз|nl: terug|achteruit|negatief|pt: volta|"
+        "descida|recuo|cs: dozadu|zh ja: 反行程|负向|反向|负方向|反方向|后退|回程|返程|復路|負方向|逆方向|"
+        "後退"},
     Phrases{Meaning::direction, Sign::up, "en: pos direction|pos dir|de: pos richtung"},
     Phrases{Meaning::direction, Sign::down, "en: neg direction|neg dir|de: neg richtung"},
     Phrases{Meaning::unknown, Sign::hintUp,
-            "*: pos|en: inc|asc|forw|out|outward|outbound|es: avance|de: auf|fr: all"},
+            "*: pos|en: inc|asc|forw|out|outward|outbound|es: avance|pt: avanco|de: auf|fr: all"},
     Phrases{Meaning::unknown, Sign::hintDown,
             "*: neg|en: rev|dec|desc|backw|return|inward|inbound|de: ab|fr: ret"},
-    Phrases{Meaning::statistic, Sign::none,
-            "en: mean|average|avg|avg error|std dev|standard deviation|range|reversal|reversal value|"
-            "reversal error|backlash|repeatability|accuracy|bidirectional avg error|spread|sum|*: std|stdev|"
-            "stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304|ø|Ø|⌀|en de: hysteresis|fr: moyenne|"
-            "moyennes|moyen|moy|ecart type|ecart moyen|etendue|reversibilite|jeu|repetabilite|mini|maxi|"
-            "somme|de: mittelwert|mittel|mittlere|std abw|standardabweichung|streuung|spannweite|"
-            "umkehrspanne|positionsstreubreite|mw|durchschnitt|summe|it es: media|medie|medio|minimo|it: "
-            "dev std|scarto tipo|deviazione standard|inversione|gioco|ripetibilita|massimo|somma|es: desv "
-            "tipica|desviacion tipica|desviacion estandar|inversion|holgura|rango|repetibilidad|maximo|"
-            "promedio|suma|cs pl ru zh ja: průměr|średnia|среднее|平均|平均值|平均値"},
+    Phrases{
+        Meaning::statistic, Sign::none,
+        "en: mean|average|avg|avg error|std dev|standard deviation|range|reversal|reversal value|"
+        "reversal error|backlash|repeatability|accuracy|bidirectional avg error|spread|sum|*: std|stdev|"
+        "stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304|ø|Ø|⌀|en de: hysteresis|fr: moyenne|"
+        "moyennes|moyen|moy|ecart type|ecart moyen|etendue|reversibilite|jeu|repetabilite|mini|maxi|"
+        "somme|de: mittelwert|mittel|mittlere|std abw|standardabweichung|streuung|spannweite|"
+        "umkehrspanne|positionsstreubreite|mw|durchschnitt|summe|it es: media|medie|medio|minimo|it: "
+        "dev std|scarto tipo|deviazione standard|inversione|gioco|ripetibilita|massimo|somma|es: desv "
+        "tipica|desviacion tipica|desviacion estandar|inversion|holgura|rango|repetibilidad|maximo|"
+        "promedio|suma|nl: gemiddelde|gemiddeld|spreiding|"
+        "standaardafwijking|omkeerspeling|herhaalbaarheid|pt: desvio padrao|folga|repetibilidade|soma|cs: "
+        "směrodatná odchylka|rozpětí|pl: odchylenie standardowe|rozstęp|ru: стандартное отклонение|"
+        "среднеквадратическое отклонение|ско|размах|zh ja: 标准偏差|标准差|標準偏差|反向差值|"
+        "cs pl ru zh ja: průměr|średnia|среднее|平均|平均值|平均値|平均偏差|平均误差"},
     Phrases{Meaning::temperature, Sign::none,
             "*: temp|°c|en fr: temperature|temperatures|de: temperatur|temperaturen|it es: temperatura|cs "
-            "ru zh ja: teplota|температура|温度"},
+            "ru zh ja: teplota|температура|温度|nl: temperatuur"},
     Phrases{Meaning::other, Sign::none,
             "en fr: tolerance|compensation|correction|de: toleranz|grenzwert|grenze|kompensation|korrektur|"
             "vorschub|messunsicherheit|unsicherheit|bemerkung|druck|feuchte|it: tolleranza|compensazione|"
@@ -95,32 +106,38 @@ constexpr std::array phrases{
         "positionierabweichung|positionierfehler|wegabweichung|wegfehler|istabweichung|linearabweichung|"
         "winkelabweichung|winkelfehler|drehwinkelabweichung|drehwinkelfehler|it: scostamento|"
         "scostamenti|scost|scarto|scarti|errore|errori|deviazione|deviazioni|differenza|es: desviacion|"
-        "desviaciones|desv|diferencia|desvio|desvios|cs pl: odchylka|odchylky|chyba|odchyłka|odchyłki|"
+        "desviaciones|desv|diferencia|desvio|desvios|pt: erro|erros|diferenca|nl: afwijking|"
+        "afwijkingen|fout|fouten|positieafwijking|positiefout|cs pl: "
+        "odchylka|odchylky|chyba|odchyłka|odchyłki|"
         "odchylenie|błąd|błędy|ru: отклонение|отклонения|ошибка|ошибки|погрешность|zh ja: 偏差|误差|誤差"},
     Phrases{
         Meaning::actual, Sign::none,
         "en: actual|act|measured|meas|ref pos|reference position|fr: reel|reelle|mesuree|atteinte|de: ist|"
         "istposition|istwert|istpos|istwinkel|gemessen|gemessene|gemessener|it: misurata|misurato|reale|"
         "effettiva|rilevata|rilevato|es: medida|medido|real|cs pl ru: skutečná|naměřená|rzeczywista|"
-        "zmierzona|фактическая|фактическое|измеренная|измеренное|действительная|zh ja: 实际|实际位置|"
+        "zmierzona|фактическая|фактическое|измеренная|измеренное|действительная|nl: gemeten|werkelijke|zh "
+        "ja: 实际|实际位置|"
         "实测|测量值|実測|実際位置|測定値"},
     Phrases{Meaning::reading, Sign::none,
-            "fr: mesure|mesures|releve|lecture|en: reading|readings|measurement|de: messwert|messwerte|it: "
+            "fr: mesure|mesures|releve|lecture|en: reading|readings|measurement|de: messwert|messwerte|nl: "
+            "meetwaarde|it: "
             "misura|lettura|es: lectura|medicion"},
     Phrases{Meaning::run, Sign::none,
             "de: messung|lauf|laufe|messlauf|messreihe|zyklus|durchgang|reihe|fahrt|en: run|runs|pass|trial|"
             "series|traverse|rep|repeat|repetition|en fr: cycle|fr: passe|passage|course|fr en: "
             "passes|fr es it: serie|it: corsa|passata|it es: ciclo|es: pasada|recorrido|*: j|"
-            "cs pl ru: měření|běh|pomiar|przebieg|измерение|проход|прогон|цикл|zh ja: 测量|次|循环|測定|回"},
-    Phrases{Meaning::run, Sign::test, "en: test|fr: essai|it: prova|es: ensayo"},
+            "cs pl ru: měření|běh|pomiar|przebieg|измерение|проход|прогон|цикл|cyklus|cykl|nl: meting|cyclus|"
+            "doorgang|pt: medicao|passagem|zh ja: 测量|次|次数|循环|測定|回"},
+    Phrases{Meaning::run, Sign::test, "en: test|fr: essai|it: prova|es: ensayo|pt: ensaio"},
     Phrases{Meaning::direction, Sign::none,
             "en fr: direction|*: dir|en: approach|sense|fr: sens|approche|de: richtung|anfahrrichtung|"
             "fahrtrichtung|verfahrrichtung|anfahrt|it: direzione|senso|verso|es: sentido|direccion|cs pl ru "
             "zh ja: směr|"
-            "kierunek|направление|方向"},
+            "kierunek|направление|方向|nl: richting|"
+            "pt: direcao"},
     Phrases{Meaning::time, Sign::none,
             "en: time|elapsed|timestamp|fr: temps|heure|duree|horodatage|de: zeit|uhrzeit|zeitstempel|it: "
-            "tempo|ora|es: tiempo|hora|cs pl ru zh ja: čas|czas|время|时间|時間"},
+            "tempo|ora|es: tiempo|hora|cs pl ru zh ja: čas|czas|время|时间|時間|nl: tijd"},
     Phrases{Meaning::angle, Sign::none,
             "en fr: angle|angles|*: ang|de: winkel|it: angolo|es: angulo|*: theta|θ|phi|φ|en fr de: phase"},
     Phrases{Meaning::radius, Sign::none, "en de: radius|fr: rayon|it: raggio|es: radio|*: ρ"},
@@ -135,22 +152,23 @@ constexpr std::array phrases{
             "nennwinkel|it: obiettivo|bersaglio|comandata|programmata|it es: teorica|es: objetivo|consigna|"
             "programada|comandada|cs pl: cíl|cílová|zadaná|zadana|docelowa|nominalna|nominální|ru: цель|"
             "целевая|заданная|заданное|номинал|номинальное|zh ja: 目标|目标位置|指令位置|理论位置|目標|"
-            "目標位置|*: tgt|trgt|cmd|pi|p i"},
+            "目標位置|nl: doel|doelpositie|gewenste|pt: alvo|*: tgt|trgt|cmd|pi|p i"},
     Phrases{Meaning::place, Sign::none,
             "en fr de: position|en fr: positions|*: pos|p|it: posizione|quota|es: posicion|cota|fr: cote|"
             "abscisse|en: coordinate|de: messposition|messpunkt|achsposition|prufposition|prufpunkt|"
             "winkelposition|winkelstellung|drehwinkel|cs pl ru: poloha|pozice|poz|pozycja|położenie|позиция|"
-            "положение|координата|zh ja: 位置|坐标|座標"},
+            "положение|координата|zh ja: 位置|坐标|座標|nl: positie|pt: posicao"},
     Phrases{Meaning::index, Sign::none,
             "*: index|idx|i|n|no|nr|#|n°|nº|pt|id|de: lfd|nummer|punkt|fr it es: numero|en: number|sample|"
-            "row|line|en fr: point|points|it es: punto"},
-    Phrases{Meaning::axis, Sign::none, "en: axis|fr: axe|de: achse|it: asse|es: eje"},
+            "row|line|en fr: point|points|it es: punto|pl: lp|l p|ru zh ja: №|序号|番号"},
+    Phrases{Meaning::axis, Sign::none,
+            "en: axis|fr: axe|de: achse|it: asse|es: eje|pt cs pl ru zh ja: eixo|osa|oś|ось|轴|軸"},
     Phrases{Meaning::process, Sign::none, "*: pv"},
     Phrases{
         Meaning::unknown, Sign::filler,
         "en: value|values|data|positioning|positional|of|the|to|up to|travel|movement|ve|en es: angular|fr: "
         "angulaire|angulaires|valeur|d|du|positionnement|lineaire|it: angolare|angolari|valore|di|"
-        "posizionamento|lineare|de: wert|der|die|lineare|es: valor|º|posicionamiento|lineal|*: laser|"
+        "posizionamento|lineare|de: wert|der|die|lineare|es: valor|º|ru: ход|posicionamiento|lineal|*: laser|"
         "linear|radial|radiale|in|fr es: de|en|fr it: l|fr it es: la|it es: del"},
     Phrases{Meaning::unknown, Sign::found,
             "en: as found|before adjustment|before compensation|before correction|fr: etat initial|"

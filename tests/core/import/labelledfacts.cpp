@@ -177,6 +177,36 @@ private slots:
     }
 
     /// A label with another word names something else: the line is listed, and no field has it.
+    void areReadInOtherLanguages_data() {
+        QTest::addColumn<QByteArray>("lines");
+        const auto row = [](const char *name, const char *lines) {
+            QTest::newRow(name) << QByteArray(lines);
+        };
+        row("Dutch", "Machine: DMU 50\nSerienummer: 4711\nGemeten door: J. Smith\nDatum: 2026-02-13\nAs: Y\n"
+                     "Luchttemperatuur: 20,5 °C\n");
+        row("Portuguese", "Máquina: DMU 50\nNúmero de série: 4711\nOperador: J. Smith\nData: 2026-02-13\n"
+                          "Eixo: Y\nTemperatura do ar: 20,5 °C\n");
+        row("Czech", "Stroj: DMU 50\nVýrobní číslo: 4711\nOperátor: J. Smith\nDatum: 2026-02-13\nOsa: Y\n"
+                     "Teplota vzduchu: 20,5 °C\n");
+        row("Polish", "Maszyna: DMU 50\nNumer seryjny: 4711\nOperator: J. Smith\nData: 2026-02-13\nOś: Y\n"
+                      "Temperatura powietrza: 20,5 °C\n");
+        row("Russian", "Станок: DMU 50\nЗаводской номер: 4711\nОператор: J. Smith\nДата: 2026-02-13\n"
+                       "Ось: Y\nТемпература воздуха: 20,5 °C\n");
+        row("Chinese", "机床: DMU 50\n序列号: 4711\n操作员: J. Smith\n日期: 2026-02-13\n轴: Y\n"
+                       "空气温度: 20.5 °C\n");
+        row("Japanese", "機械: DMU 50\n製造番号: 4711\n測定者: J. Smith\n測定日: 2026-02-13\n軸: Y\n"
+                        "気温: 20.5 °C\n");
+    }
+    void areReadInOtherLanguages() {
+        QFETCH(QByteArray, lines);
+        const Imported imported = importMeasurement(lines + table, "x.csv");
+        QVERIFY2(factsOf(imported).startsWith("DMU 50|4711|J. Smith|2026-02-13|-|Y|-|-|-|"),
+                 qPrintable(factsOf(imported)));
+        QCOMPARE(imported.sensors.size(), 1U);
+        QCOMPARE(imported.sensors.front().measures, SensorMeasures::air);
+        QCOMPARE(imported.sensors.front().start.value_or(0), 20.5);
+    }
+
     void othersAreLeft_data() {
         QTest::addColumn<QByteArray>("line");
         for (const char *line : {"Calibrated by: PTB",

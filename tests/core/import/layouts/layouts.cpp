@@ -108,6 +108,18 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         ";;Deviation (nm) at position (in)\nRun;Direction;0;10;20\n1;forward;40;120;250\n"
         "1;reverse;140;220;350\n",
         "ignored,direction,run,run,run / 0 254 508 / ↑ 0.04 0.12 0.25 / ↓ 0.14 0.22 0.35 / ");
+    // Other languages.
+    row("Dutch", "Positie (mm);Heen 1 (µm);Terug 1 (µm)\n0;1;2\n100;3;4\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    row("Portuguese",
+        "Posição (mm);Desvio avanço 1 (µm);Desvio retorno 1 (µm);Desvio padrão (µm)\n0;1;2;7\n100;3;4;8\n",
+        "target,deviation+1,deviation-1,statistic / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    row("Polish", "Lp.;Pozycja (mm);Cykl 1 naprzód (µm);Cykl 1 wstecz (µm)\n1;0;1;2\n2;100;3;4\n",
+        "ignored,target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    row("Russian", "Позиция (мм);Отклонение туда (мкм);Отклонение обратно (мкм);СКО\n0;1;2;7\n100;3;4;8\n",
+        "target,deviation+,deviation-,statistic / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    row("Chinese", "序号;位置 (mm);次数 1 正行程 (µm);次数 1 反行程 (µm);标准偏差\n1;0;1;2;7\n2;100;3;4;8\n",
+        "ignored,target,run+1,run-1,statistic / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
     row("labels of fixed width",
         "  Axis position (mm)   10.000   160.000   304.280\n           up 1 (µm)      3.3       0.1     "
         " -2.2\n         down 1 (µm)      6.2       3.9       2.3\n",
