@@ -110,7 +110,8 @@ bool isTestFile(QByteArrayView bytes, const QString &name) {
     const std::string_view text = trimmed({seen.data(), static_cast<std::size_t>(seen.size())});
     if (text.starts_with("{\\rtf"))
         return false;
-    return text.starts_with('{') || text.ends_with('}') || holdsKey(text);
+    const bool endsLatex = text.substr(text.find_last_of('\n') + 1).starts_with("\\end{");
+    return text.starts_with('{') || (text.ends_with('}') && !endsLatex) || holdsKey(text);
 }
 
 } // namespace palmer

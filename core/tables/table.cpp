@@ -478,7 +478,8 @@ void resolveForm(CellTable &table, std::string_view text, const TableOptions &op
         }
     }
     const auto isRival = [&](const Reading &reading) {
-        return reading.rival > 0.5 * best.score && reading.broken <= best.broken &&
+        const bool isPadding = best.delimiter == Delimiter::bar && reading.delimiter == Delimiter::blanks;
+        return !isPadding && reading.rival > 0.5 * best.score && reading.broken <= best.broken &&
                reading.numbers != best.numbers && !onlyPartsWords(reading, best);
     };
     // Where tabs part the columns, a blank in a cell as "1 ↑" parts nothing.

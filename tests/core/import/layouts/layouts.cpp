@@ -104,10 +104,18 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "| Pos. | up 1 | down 1 |\n|---|---|---|\n| in | in | in |\n| 0 | 0.001 | 0.002 |\n"
         "| 1 | 0.003 | 0.004 |\n",
         "ignored,target,run+1,run-1,ignored / 0 25.4 / ↑ 25.4 76.2 / ↓ 50.8 101.6 / ");
+    row("integers in bars",
+        "| Cote (mm) | 0 | 50 | 100 |\n|---|---|---|---|\n| Écart positif 1 (nm) | -400 | 500 | 1200 |\n"
+        "| Écart négatif 1 (nm) | -1800 | -1000 | 300 |\n",
+        "ignored,ignored,run,run,run,ignored / 0 50 100 / ↑ -0.4 0.5 1.2 / ↓ -1.8 -1 0.3 / ");
     row("units above targets across",
         ";;Deviation (nm) at position (in)\nRun;Direction;0;10;20\n1;forward;40;120;250\n"
         "1;reverse;140;220;350\n",
         "ignored,direction,run,run,run / 0 254 508 / ↑ 0.04 0.12 0.25 / ↓ 0.14 0.22 0.35 / ");
+    row("a table of LaTeX",
+        "\\begin{tabular}{rrr}\nPosition (mm) & up (µm) & down (µm) \\\\\n0 & 1 & 2 \\\\\n100 & 3 & 4 \\\\\n"
+        "\\end{tabular}\n",
+        "target,ignored,run+,ignored,run-,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
     // Other languages.
     row("Dutch", "Positie (mm);Heen 1 (µm);Terug 1 (µm)\n0;1;2\n100;3;4\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
