@@ -53,7 +53,6 @@ public:
     }
     /// `unit`: displayed with the number; may be null.
     void add(int column, std::string_view text, std::optional<double> number, const Unit *unit = nullptr);
-    [[nodiscard]] int column() const { return m_column; }
     CellTable take(const Choices &choices);
 
     QuotedLines comments;          ///< of cells

@@ -279,6 +279,7 @@ public:
             const auto stated = wholeNumberIn<std::size_t>(xml.attribute("r"));
             m_line = stated > m_line && stated < mostLines ? stated : m_line + 1;
             m_sheet.beginRow(m_line, isTrue(xml.attribute("hidden")));
+            m_next = 0;
         } else if (letter == '\0' && xml.name == "col") {
             hideColumns(xml, m_sheet);
         }
@@ -307,7 +308,8 @@ private:
     }
 
     void addCell() {
-        const int column = m_column < 0 ? m_sheet.column() : m_column;
+        const int column = m_column < 0 ? m_next : m_column;
+        m_next = column + 1;
         if (m_type == "s") {
             std::size_t index = 0;
             const auto [end, error] = std::from_chars(m_value.data(), m_value.data() + m_value.size(), index);
@@ -331,6 +333,7 @@ private:
     std::size_t m_line = 0;
     std::string m_type;
     int m_column = -1; ///< below 0: not stated
+    int m_next = 0;    ///< of a cell that does not state its column; empty cells count
     std::string m_value;
     bool m_inValue = false;
     bool m_isFormula = false;
