@@ -181,4 +181,85 @@ std::string textOfRtf(std::string_view rtf) {
     return Rtf(rtf).text();
 }
 
+namespace {
+
+/// "$-0.5$", "\\textbf{Run 1}", "10\\,\\%": the words of a cell without their commands.
+std::string wordsOfLatex(std::string_view cell) {
+    std::string words;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        const char c = cell[i];
+        if (c != '\\') {
+            if (c != '$' && c != '{' && c != '}')
+                words += c == '~' ? ' ' : c;
+            continue;
+        }
+        const std::size_t end =
+            std::min(cell.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", i + 1),
+                     cell.size());
+        const std::string_view command = cell.substr(i + 1, end - i - 1);
+        if (command.empty() && end < cell.size()) {
+            words += cell[end] == ',' ? ' ' : cell[end]; // "\\%", a thin space
+            i = end;
+        } else {
+            words += command == "mu" || command == "micro" ? "µ"
+                     : command == "uparrow"                ? "↑"
+                     : command == "downarrow"              ? "↓"
+                                                           : "";
+            i = end - 1;
+        }
+    }
+    return words;
+}
+
+/// A line of a table, its cells parted by tabs; "\\multicolumn{2}{c}{Run 1}" fills two.
+std::string lineOfLatex(std::string_view line) {
+    constexpr std::string_view spanning = "\\multicolumn{";
+    std::string cells;
+    for (;;) {
+        std::size_t end = 0;
+        do // not "\\&"
+            end = std::min(line.find('&', end == 0 ? 0 : end + 1), line.size());
+        while (end < line.size() && end > 0 && line[end - 1] == '\\');
+        std::string_view cell = line.substr(0, end);
+        std::size_t spans = 1;
+        if (const std::size_t at = cell.find(spanning); at != std::string_view::npos) {
+            const std::string_view rest = cell.substr(at + spanning.size());
+            spans =
+                rest.empty() || rest[0] < '1' || rest[0] > '9' ? 1 : static_cast<std::size_t>(rest[0] - '0');
+            const std::size_t text = rest.find('{', rest.find('}', rest.find('{')));
+            cell = text == std::string_view::npos ? std::string_view() : rest.substr(text);
+        }
+        cells += wordsOfLatex(cell);
+        cells.append(spans - 1, '\t');
+        if (end == line.size())
+            return cells;
+        cells += '\t';
+        line.remove_prefix(end + 1);
+    }
+}
+
+} // namespace
+
+std::string textOfLatex(std::string text) {
+    if (text.find("\\begin{tab") == std::string::npos && text.find("\\begin{longtab") == std::string::npos)
+        return text;
+    std::string result;
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t size = std::min(rest.find('\n'), rest.size());
+        std::string_view line = rest.substr(0, size);
+        rest.remove_prefix(std::min(size + 1, rest.size()));
+        for (const std::string_view rule : {"\\hline", "\\toprule", "\\midrule", "\\bottomrule"}) {
+            while (line.starts_with(rule) || line.starts_with(' '))
+                line.remove_prefix(line.starts_with(' ') ? 1 : rule.size());
+        }
+        const std::size_t last = line.rfind("\\\\");
+        const bool isRow = last != std::string_view::npos || line.find('&') != std::string_view::npos;
+        const bool isCommand = line.starts_with('\\') && !isRow;
+        if (isRow || !isCommand)
+            result += isRow ? lineOfLatex(line.substr(0, last)) : std::string(line);
+        result += '\n';
+    }
+    return result;
+}
+
 } // namespace palmer

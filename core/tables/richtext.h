@@ -12,4 +12,8 @@ namespace palmer {
 /// (Microsoft, Rich Text Format Specification, version 1.9.1)
 [[nodiscard]] std::string textOfRtf(std::string_view rtf);
 
+/// The text of a source of LaTeX with tables: tabs between their cells, no rules and commands around them;
+/// lines keep their numbers. Other text is returned as it is.
+[[nodiscard]] std::string textOfLatex(std::string text);
+
 } // namespace palmer

@@ -399,6 +399,7 @@ void readTextTable(const ImportSource &source, Choices &choices, Imported &impor
     std::string text = decodedText(source.bytes, choices, imported);
     if (text.starts_with("{\\rtf"))
         text = textOfRtf(text);
+    text = textOfLatex(std::move(text));
     imported.table = readTable(std::move(text), {chosenOf<Delimiter>("delimiter", choices),
                                                  chosenOf<DecimalMark>("decimalMark", choices)});
     const CellTable &table = imported.table;

@@ -115,7 +115,14 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("a table of LaTeX",
         "\\begin{tabular}{rrr}\nPosition (mm) & up (µm) & down (µm) \\\\\n0 & 1 & 2 \\\\\n100 & 3 & 4 \\\\\n"
         "\\end{tabular}\n",
-        "target,ignored,run+,ignored,run-,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+        "target,run+,run- / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    row("a table of LaTeX with spanning headings",
+        "Axis: X\n\\begin{tabular}{lrrrr}\n\\toprule\n & \\multicolumn{2}{c}{Run 1} & "
+        "\\multicolumn{2}{c}{Run 2} \\\\\nTarget (mm) & $\\uparrow$ (nm) & $\\downarrow$ (nm) & $\\uparrow$ "
+        "(nm) & "
+        "$\\downarrow$ (nm) \\\\ \\midrule\n0 & 10 & $-20$ & 30 & 40 \\\\\n100 & 50 & 60 & 70 & 80 \\\\\n"
+        "\\bottomrule\n\\end{tabular}\n",
+        "target,run+1,run-1,run+2,run-2 / 0 100 / ↑ 0.01 0.05 / ↓ -0.02 0.06 / ↑ 0.03 0.07 / ↓ 0.04 0.08 / ");
     // Other languages.
     row("Dutch", "Positie (mm);Heen 1 (µm);Terug 1 (µm)\n0;1;2\n100;3;4\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
