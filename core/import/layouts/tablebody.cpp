@@ -505,10 +505,12 @@ private:
 
     /// A row like those of the body, but with a word or nothing in place of their first number.
     [[nodiscard]] bool isNumericHead(const TableRow &row) const {
-        const auto cells = m_table.cells(row);
+        auto cells = trimmed(m_table.cells(row));
+        while (!cells.empty() && cells.front().kind == CellKind::empty) // a bar of Markdown, a margin
+            cells = cells.subspan(1);
         const std::size_t numbers = numberCount(cells);
         return numbers >= 2 && 2 * numbers >= m_numberColumns && wordCount(row) <= 2 &&
-               numbers + 2 >= trimmed(cells).size() && !areYears(cells);
+               numbers + 2 >= cells.size() && !areYears(cells);
     }
 
     /// ";2024;;2025;" above column headings.

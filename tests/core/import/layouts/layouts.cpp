@@ -89,6 +89,9 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "forward;2;1.5;2.5;3.5\nreverse;2;4.5;5.5;6.5\n",
         "direction,ignored,run,run,run / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / ↑ 1.5 2.5 3.5 / ↓ 4.5 5.5 6.5 / "
         "content unit");
+    row("targets across behind a margin",
+        ";Run;Target (mm);0;100;200\n;1;forward (µm);1;2;3\n;1;reverse (µm);4;5;6\n",
+        "ignored,ignored,direction,run,run,run / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / ");
     row("targets that are only numbered", "Run;Direction;P1;P2;P3\n1;forward;1;2;3\n1;reverse;4;5;6\n",
         "number,direction,target,run2,run3 / 1 4 / ↑ 2 – / ↓ – 5 / ↑ 3 – / ↓ – 6 / columns content "
         "positionUnit unit");
