@@ -95,10 +95,17 @@ bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
            });
 }
 
+/// True for a line of fewer cells than columns where blanks part them, so that it does not say which are
+/// empty.
+bool isShiftedLeft(const CellTable &table, std::size_t cells, std::size_t width) {
+    return table.delimiter.value == Delimiter::blanks && !table.isPlaced && cells < width;
+}
+
 /// "[mm];;;[µm]": the units of columns, of which some have none.
 bool isRowOfUnitsAlone(const CellTable &table, const TableRow &row, std::size_t width) {
     const auto cells = trimmed(table.cells(row));
-    return !row.comment && cells.size() > 1 && 2 * cells.size() >= width && isRowOfUnits(table, cells) &&
+    return !row.comment && cells.size() > 1 && 2 * cells.size() >= width &&
+           !isShiftedLeft(table, cells.size(), width) && isRowOfUnits(table, cells) &&
            std::ranges::all_of(cells, [&](const TableCell &cell) { return isUnitOrEmpty(table, cell); });
 }
 
@@ -251,7 +258,8 @@ struct HeadingRows {
 /// "mm;µm" between the headings of more columns and the numbers.
 bool isShortRowOfUnits(const CellTable &table, const TableRow &row, std::size_t width) {
     const auto cells = trimmed(table.cells(row));
-    if (row.comment || cells.empty() || 2 * cells.size() >= width)
+    if (row.comment || cells.empty() ||
+        (2 * cells.size() >= width && !isShiftedLeft(table, cells.size(), width)))
         return false;
     return std::ranges::all_of(cells, [&](const TableCell &cell) { return isUnitOrEmpty(table, cell); });
 }
@@ -273,11 +281,18 @@ bool headsColumns(const CellTable &table, const TableRow &row, std::size_t width
                                  [&](const TableCell &cell) { return tellsReadings(table.text(cell)); }) >= 2;
 }
 
-/// True if the first column has the targets, so that units from the left on are in their columns.
-bool beginsWithTargets(const CellTable &table, const TableRow &row) {
+/// True if the first column has the targets and those behind it no directions or numbers of runs, so that
+/// this many units from the left on are in their columns.
+bool beginsWithTargets(const CellTable &table, const TableRow &row, std::size_t units) {
     const auto cells = table.cells(row);
-    return !cells.empty() && isOneOf(readHeading(table.text(cells.front())).meaning,
-                                     {Meaning::target, Meaning::place, Meaning::angle, Meaning::time});
+    const auto hasNoUnit = [&](const TableCell &cell) {
+        const HeadingWords words = readHeading(table.text(cell));
+        return !words.direction && !words.number &&
+               isOneOf(words.meaning, {Meaning::direction, Meaning::run, Meaning::index});
+    };
+    return !cells.empty() && std::ranges::none_of(cells.first(std::min(units, cells.size())), hasNoUnit) &&
+           isOneOf(readHeading(table.text(cells.front())).meaning,
+                   {Meaning::target, Meaning::place, Meaning::angle, Meaning::time});
 }
 
 class HeadingSearch {
@@ -350,7 +365,7 @@ private:
     }
 
     void takeUnits(const TableRow &heading) {
-        if (beginsWithTargets(m_table, heading))
+        if (beginsWithTargets(m_table, heading, trimmed(m_table.cells(row(*m_units))).size()))
             m_found.rows.push_back(*m_units);
         else
             m_found.looseUnits = m_units;

@@ -103,6 +103,11 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "No.;Target;Direction;Run;Deviation\n;[mm];;;[nm]\n1;0;up;1;100\n2;100;up;1;200\n"
         "3;100;down;1;300\n4;0;down;1;400\n",
         "ignored,target,direction,number,deviation / 0 100 / ↑ 0.1 0.2 / ↓ 0.4 0.3 / ");
+    row("units of columns that blanks do not tell",
+        "Target   Direction   Run   Deviation\n[mm]                       [nm]\n0   up   1   100\n100   up   "
+        "1   200\n"
+        "100   down   1   300\n0   down   1   400\n",
+        "target,direction,number,deviation / 0 100 / ↑ 100 200 / ↓ 400 300 / positionUnit unit unit");
     row("inches in bars",
         "| Pos. | up 1 | down 1 |\n|---|---|---|\n| in | in | in |\n| 0 | 0.001 | 0.002 |\n"
         "| 1 | 0.003 | 0.004 |\n",
