@@ -533,7 +533,7 @@ private:
             const bool down = falls(rows);
             if (turns)
                 direction = down ? Direction::negative : Direction::positive;
-            else if (!direction && down && m.body.blocks.size() > 1 && !shuffled)
+            else if (!direction && !titled.hint && down && m.body.blocks.size() > 1 && !shuffled)
                 direction = Direction::negative;
             m_pieces.push_back({block.section, std::move(rows), direction, titled.hint, &block});
         }

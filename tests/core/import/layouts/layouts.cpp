@@ -108,6 +108,9 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "1   200\n"
         "100   down   1   300\n0   down   1   400\n",
         "target,direction,number,deviation / 0 100 / ↑ 100 200 / ↓ 400 300 / positionUnit unit unit");
+    row("blocks of falling targets",
+        "Avance\nTarget (mm);Error (µm)\n100;1\n0;2\n\nRetorno\nTarget (mm);Error (µm)\n100;3\n0;4\n",
+        "target,deviation / 0 100 / ↑ 2 1 / ↓ 4 3 / directions");
     row("inches in bars",
         "| Pos. | up 1 | down 1 |\n|---|---|---|\n| in | in | in |\n| 0 | 0.001 | 0.002 |\n"
         "| 1 | 0.003 | 0.004 |\n",
