@@ -183,6 +183,30 @@ std::string textOfRtf(std::string_view rtf) {
 
 namespace {
 
+/// A command and what it prints; empty for one that only forms.
+struct LatexCommand {
+    std::string_view name;
+    std::string_view text;
+};
+
+constexpr std::array latexCommands{
+    LatexCommand{"mu", "µ"},          LatexCommand{"micro", "µ"},
+    LatexCommand{"textmu", "µ"},      LatexCommand{"milli", "m"},
+    LatexCommand{"metre", "m"},       LatexCommand{"meter", "m"},
+    LatexCommand{"degree", "°"},      LatexCommand{"circ", "°"},
+    LatexCommand{"textminus", "-"},   LatexCommand{"uparrow", "↑"},
+    LatexCommand{"downarrow", "↓"},   LatexCommand{"textuparrow", "↑"},
+    LatexCommand{"quad", " "},        LatexCommand{"textdownarrow", "↓"},
+    LatexCommand{"textbf", ""},       LatexCommand{"textit", ""},
+    LatexCommand{"emph", ""},         LatexCommand{"text", ""},
+    LatexCommand{"mathrm", ""},       LatexCommand{"mathbf", ""},
+    LatexCommand{"num", ""},          LatexCommand{"SI", ""},
+    LatexCommand{"si", ""},           LatexCommand{"qty", ""},
+    LatexCommand{"unit", ""},         LatexCommand{"bf", ""},
+    LatexCommand{"bfseries", ""},     LatexCommand{"small", ""},
+    LatexCommand{"footnotesize", ""}, LatexCommand{"centering", ""},
+};
+
 /// "$-0.5$", "\\textbf{Run 1}", "10\\,\\%": the words of a cell without their commands.
 std::string wordsOfLatex(std::string_view cell) {
     std::string words;
@@ -201,10 +225,9 @@ std::string wordsOfLatex(std::string_view cell) {
             words += cell[end] == ',' ? ' ' : cell[end]; // "\\%", a thin space
             i = end;
         } else {
-            words += command == "mu" || command == "micro" ? "µ"
-                     : command == "uparrow"                ? "↑"
-                     : command == "downarrow"              ? "↓"
-                                                           : "";
+            const auto *const known = std::ranges::find(latexCommands, command, &LatexCommand::name);
+            // "\\pm 0.5" is no 0.5: what is not known stays, and the cell no number.
+            words += known == latexCommands.end() ? '\\' + std::string(command) : std::string(known->text);
             i = end - 1;
         }
     }

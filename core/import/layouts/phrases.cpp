@@ -52,7 +52,6 @@ constexpr std::array phrases{
         "dodatni|dodatnia|ru: вперёд|вперед|прямо|прямой|прямое|положительный|положительное|туда|вверх|nl: "
         "heen|vooruit|positief|cs: "
         "dopředu|zh ja: 正向|正行程|"
-        ""
         "正方向|前进|去程|往路|前進"},
     Phrases{
         Meaning::unknown, Sign::down,
@@ -64,7 +63,7 @@ constexpr std::array phrases{
         "ritorno|indietro|discesa|decrescente|discendente|it es: negativo|negativa|es: vuelta|regreso|"
         "retorno|atras|retroceso|bajada|descendente|decreciente|cs: zpět|vzad|dolů|záporný|záporná|pl: "
         "wstecz|do tyłu|z powrotem|powrót|ujemny|ujemna|ru: назад|обратно|обратный|обратное|"
-        "отрицательный|отрицательное|вниз|nl: terug|achteruit|negatief|pt: volta|"
+        "отрицательный|отрицательное|вниз|nl: terug|achteruit|negatief|pt: "
         "descida|recuo|cs: dozadu|zh ja: 反行程|负向|反向|负方向|反方向|后退|回程|返程|復路|負方向|逆方向|"
         "後退"},
     Phrases{Meaning::direction, Sign::up, "en: pos direction|pos dir|de: pos richtung"},
@@ -72,7 +71,7 @@ constexpr std::array phrases{
     Phrases{Meaning::unknown, Sign::hintUp,
             "*: pos|en: inc|asc|forw|out|outward|outbound|es: avance|pt: avanco|de: auf|fr: all"},
     Phrases{Meaning::unknown, Sign::hintDown,
-            "*: neg|en: rev|dec|desc|backw|return|inward|inbound|de: ab|fr: ret"},
+            "*: neg|en: rev|dec|desc|backw|return|inward|inbound|de: ab|fr: ret|pt: volta"},
     Phrases{
         Meaning::statistic, Sign::none,
         "en: mean|average|avg|avg error|std dev|standard deviation|range|reversal|reversal value|"
