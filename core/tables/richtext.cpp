@@ -270,6 +270,7 @@ std::string textOfLatex(std::string text) {
     for (std::string_view rest = text; !rest.empty();) {
         const std::size_t size = std::min(rest.find('\n'), rest.size());
         std::string_view line = rest.substr(0, size);
+        const bool isEnded = size < rest.size();
         rest.remove_prefix(std::min(size + 1, rest.size()));
         for (const std::string_view rule : {"\\hline", "\\toprule", "\\midrule", "\\bottomrule"}) {
             while (line.starts_with(rule) || line.starts_with(' '))
@@ -280,7 +281,8 @@ std::string textOfLatex(std::string text) {
         const bool isCommand = line.starts_with('\\') && !isRow;
         if (isRow || !isCommand)
             result += isRow ? lineOfLatex(line.substr(0, last)) : std::string(line);
-        result += '\n';
+        if (isEnded) // else the file may have been cut
+            result += '\n';
     }
     return result;
 }

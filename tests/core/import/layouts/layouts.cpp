@@ -194,6 +194,10 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     // The end of a file that was cut.
     row("cut within a number", "Target (mm);↑ (µm);↓ (µm)\n0;1.5;2.5\n100;3.5;4.5\n200;5.5;-1",
         "target,run+,run- / 0 100 200 / ↑ 1.5 3.5 5.5 / ↓ 2.5 4.5 -1 / unread");
+    row("LaTeX cut within a number",
+        "\\begin{tabular}{rrr}\nTarget (mm) & ↑ (µm) & ↓ (µm) \\\\\n0 & 1.5 & 2.5 \\\\\n100 & 3.5 & 4.5 "
+        "\\\\\n200 & 5.5 & -1",
+        "target,run+,run- / 0 100 200 / ↑ 1.5 3.5 5.5 / ↓ 2.5 4.5 -1 / unread");
     row("a command of LaTeX that is not known",
         "\\begin{tabular}{rrr}\nTarget (mm) & ↑ (µm) & ↓ (µm) \\\\\n0 & 1 & $\\textminus 2$ \\\\\n100 & 3 & $\\pm "
         "4$ \\\\\n200 & 5 & \\num{6} \\\\\n\\end{tabular}\n",
