@@ -228,7 +228,7 @@ std::string wordsOfLatex(std::string_view cell) {
             const auto *const known = std::ranges::find(latexCommands, command, &LatexCommand::name);
             // "\\pm 0.5" is no 0.5: what is not known stays, and the cell no number.
             words += known == latexCommands.end() ? '\\' + std::string(command) : std::string(known->text);
-            i = end - 1;
+            i = std::min(cell.find_first_not_of(' ', end), cell.size()) - 1; // blanks behind it only end it
         }
     }
     return words;
