@@ -199,7 +199,8 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "\\\\\n200 & 5.5 & -1",
         "target,run+,run- / 0 100 200 / ↑ 1.5 3.5 5.5 / ↓ 2.5 4.5 -1 / unread");
     row("a command of LaTeX that is not known",
-        "\\begin{tabular}{rrr}\nTarget (mm) & ↑ (µm) & ↓ (µm) \\\\\n0 & 1 & $\\textminus 2$ \\\\\n100 & 3 & $\\pm "
+        "\\begin{tabular}{rrr}\nTarget (mm) & ↑ (µm) & ↓ (µm) \\\\\n0 & 1 & $\\textminus 2$ \\\\\n100 & 3 & "
+        "$\\pm "
         "4$ \\\\\n200 & 5 & \\num{6} \\\\\n\\end{tabular}\n",
         "target,run+,run- / 0 100 200 / ↑ 1 3 5 / ↓ -2 – 6 / unread");
     row("cut within a line", "Target (mm);↑ (µm);↓ (µm)\n0;1.5;2.5\n100;3.5;4.5\n200;5.5",
