@@ -353,7 +353,7 @@ Document withField(const Document &document, std::string_view path, std::string_
     for (const PlacedMeanings &one : placed)
         most = std::max(most, one.meanings.size());
     const auto &asked = placed.front();
-    // What is wrong with "2014" as a word, not that it is a number.
+    // Says what is wrong with "2014" as a word, not that it is a number.
     const bool isWord = !asked.isNumber && !asked.meanings.front().is_structured();
     std::optional<Error> refused;
     for (std::size_t i = 0; i < most; ++i) {

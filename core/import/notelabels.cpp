@@ -116,7 +116,7 @@ constexpr WordList temperatureWords = " temp temperature temperatures temperatur
 constexpr std::array<std::string_view, 3> temperatureCompounds{"temperatur", "temperatuur",
                                                                "温度"}; // "Lufttemperatur"
 
-/// What is before the end of a compound; the whole word if it is none.
+/// Returns the part before the end of a compound; the whole word if it is none.
 std::string_view beforeTemperature(std::string_view word) {
     for (const std::string_view compound : temperatureCompounds) {
         if (word.ends_with(compound))
