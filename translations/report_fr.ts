@@ -5144,6 +5144,14 @@
         <translation>Retard commun %1</translation>
     </message>
     <message>
+        <source>(Common lag %1)²</source>
+        <translation>(Retard commun %1)²</translation>
+    </message>
+    <message>
+        <source>Difference of following errors %1, in µm</source>
+        <translation>Différence des erreurs de poursuite %1, en µm</translation>
+    </message>
+    <message>
         <source>Mismatch of the lags %1</source>
         <translation>Différence des retards %1</translation>
     </message>

@@ -75,14 +75,15 @@ Json sourceJson(const Diagnosis &diagnosis, const SourceEstimate &source, const 
 Json sumJson(const Diagnosis &diagnosis, const SourceSum &sum) {
     Json of = Json::array();
     for (const SourceSum::Part &part : sum.of)
-        of.push_back(
-            {{"id", sourceId(diagnosis.sources[part.source])}, {"factor", numberOrNull(part.factor)}});
+        of.push_back({{"id", sourceId(diagnosis.sources[part.source])},
+                      {"factor", numberOrNull(part.factor)},
+                      {"unit", part.unit}});
     return {{"id", "sum"},
             {"of", std::move(of)},
             {"value", numberOrNull(sum.value)},
             {"u", sum.interval ? numberOrNull(sum.u) : Json(nullptr)},
             {"interval", intervalJson(sum.interval, std::identity())},
-            {"unit", influence(diagnosis.sources[sum.of.front().source].id).unit},
+            {"unit", sum.of.front().unit},
             {"contribution", numberOrNull(sum.contribution)}};
 }
 

@@ -334,9 +334,10 @@ private:
         SourceSum sum;
         Vector weights = Vector::Zero(Eigen::Index(m_fit.terms.size()));
         std::vector<std::size_t> terms;
-        const auto shownUnit = [&](Eigen::Index i) {
-            return influence(m_diagnosis.sources[group[std::size_t(i)]].id).unitsPerBase;
+        const auto unitOf = [&](Eigen::Index i) {
+            return fittedUnit(m_diagnosis.sources[group[std::size_t(i)]].id);
         };
+        const double shown = unitOf(leading).perBase;
         const auto weight = [&](Eigen::Index i) {
             const auto term = Eigen::Index(m_terms[group[std::size_t(i)]]);
             return best[i] * m_fit.fit.lengths[term];
@@ -348,7 +349,7 @@ private:
                 continue;
             const double factor = weight(i) / weight(leading);
             weights[Eigen::Index(m_terms[source])] = factor;
-            const SourceSum::Part part{source, factor * shownUnit(leading) / shownUnit(i)};
+            const SourceSum::Part part{source, factor * shown / unitOf(i).perBase, unitOf(i).name};
             if (i == leading)
                 sum.of.insert(sum.of.begin(), part);
             else
@@ -357,13 +358,27 @@ private:
         double value = 0;
         for (std::size_t j = 0; j < m_fit.terms.size(); ++j)
             value += weights[Eigen::Index(j)] * (m_fit.factor(j) + takenOut(m_fit.terms[j]));
-        sum.value = value * shownUnit(leading);
-        sum.u = m_fit.u(weights) * shownUnit(leading);
+        sum.value = value * shown;
+        sum.u = m_fit.u(weights) * shown;
         const double half = coverageFactor(m_fit.degreesOfFreedom(weights), 0.975) * sum.u;
         if (m_diagnosis.modelFits)
             sum.interval = {sum.value - half, sum.value + half};
         sum.contribution = contribution(terms);
         m_diagnosis.sums.push_back(std::move(sum));
+    }
+
+    struct Unit {
+        const char *name = nullptr;
+        double perBase = 1;
+    };
+
+    /// Returns the unit of a parameter as it is in the fit, which sums need.
+    [[nodiscard]] Unit fittedUnit(InfluenceId id) const {
+        if (id == InfluenceId::commonLag) // shown as its root
+            id = InfluenceId::lagMismatch;
+        else if (id == InfluenceId::servoMismatch && !m_circles.front().feed) // fitted with a feed of 1 mm/s
+            id = InfluenceId::backlash;
+        return {influence(id).unit, influence(id).unitsPerBase};
     }
 
     /// Returns the information on the scaled coefficients of the group while all others are free.

@@ -94,10 +94,13 @@ struct SourceEstimate {
 struct SourceSum {
     struct Part {
         std::size_t source = 0;
-        double factor = 1; ///< for values in the units shown
+        double factor = 1; ///< for values in the unit
+        /// As the fit has the parameter: of a common lag the square, ms²; of a servo mismatch whose feed is
+        /// not stated the product of both, the difference of the following errors, µm.
+        const char *unit = nullptr;
     };
     std::vector<Part> of;
-    double value = 0; ///< in the unit shown for the first source
+    double value = 0; ///< in the unit of the first part
     double u = 0;
     std::optional<Interval> interval; ///< 95 %; null if u is not valid
     double contribution = 0;          ///< to G(b), of all together, mm

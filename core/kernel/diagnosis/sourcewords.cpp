@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 namespace palmer {
 
@@ -103,6 +104,16 @@ bool isOneSense(const DiagnosedCircle &circle) {
 
 Message sourceName(const SourceEstimate &source) {
     return {influence(source.id).name, {source.axisName}};
+}
+
+Message summandName(const Diagnosis &diagnosis, const SourceSum::Part &part) {
+    const SourceEstimate &source = diagnosis.sources[part.source];
+    if (part.unit == std::string_view(influence(source.id).unit))
+        return sourceName(source);
+    return {source.id == InfluenceId::commonLag
+                ? REPORT_TEXT("report", "(Common lag %1)²")
+                : REPORT_TEXT("report", "Difference of following errors %1, in µm"),
+            {source.axisName}};
 }
 
 Message sourceMeaning(const Diagnosis &diagnosis, const SourceEstimate &source) {

@@ -8,6 +8,8 @@ namespace palmer {
 
 /// Returns the name of a source: "Backlash X".
 [[nodiscard]] Message sourceName(const SourceEstimate &source);
+/// The same of a part of a sum, which may be another quantity.
+[[nodiscard]] Message summandName(const Diagnosis &diagnosis, const SourceSum::Part &part);
 /// Returns the meaning of a source by its sign ("X loses motion at each reversal"), or why it has no value.
 [[nodiscard]] Message sourceMeaning(const Diagnosis &diagnosis, const SourceEstimate &source);
 /// Returns the meaning of a positive value of a source, whatever its value; empty for centre and radius.

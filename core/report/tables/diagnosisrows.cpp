@@ -30,7 +30,7 @@ public:
                                       : DiagnosisRowKind::notTold;
         row.sources = {place};
         row.name = nameOf(source);
-        setUnit(row, source.id);
+        setUnit(row, influence(source.id).unit);
         if (source.value && source.u)
             setNumbers(row, shownParameter(source.id, *source.value), shownUncertainty(source),
                        shownExpanded(source));
@@ -61,9 +61,9 @@ public:
             if (std::abs(std::abs(one.factor) - 1) > asGoodAsOne)
                 row.name +=
                     m_language.number(std::abs(one.factor), Quantity::number, 3) + QStringLiteral(" · ");
-            row.name += m_language.sentence(sourceName(m_diagnosis.sources[one.source]));
+            row.name += m_language.sentence(summandName(m_diagnosis, one));
         }
-        setUnit(row, m_diagnosis.sources[sum.of.front().source].id);
+        setUnit(row, sum.of.front().unit);
         setNumbers(row, sum.value, sum.u,
                    sum.interval ? std::optional(sum.interval->to - sum.value) : std::nullopt);
         row.contribution = part.contribution;
@@ -76,11 +76,10 @@ public:
 
 private:
     /// Lengths use the unit of deviations, others their own.
-    void setUnit(DiagnosisRow &row, InfluenceId id) const {
-        row.quantity =
-            influence(id).unit == std::string_view("µm") ? Quantity::micrometres : Quantity::number;
-        row.unit = row.quantity == Quantity::micrometres ? m_language.unit(row.quantity)
-                                                         : QString::fromUtf8(influence(id).unit);
+    void setUnit(DiagnosisRow &row, const char *unit) const {
+        row.quantity = unit == std::string_view("µm") ? Quantity::micrometres : Quantity::number;
+        row.unit =
+            row.quantity == Quantity::micrometres ? m_language.unit(row.quantity) : QString::fromUtf8(unit);
     }
 
     void setNumbers(DiagnosisRow &row, double value, double u, std::optional<double> half) const {

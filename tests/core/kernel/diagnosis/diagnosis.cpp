@@ -67,6 +67,7 @@ private slots:
     void inseparableSourcesGiveTheirSum();
     void aSumHoldsTheWholeCentre_data();
     void aSumHoldsTheWholeCentre();
+    void aSumStatesWhatItAdds();
     void eachSourceIsRecognised_data();
     void eachSourceIsRecognised();
     void everyUsualPitchIsFound();
@@ -289,6 +290,56 @@ void DiagnosisTest::aSumHoldsTheWholeCentre() {
                  qPrintable(QString("%1 %2").arg(sum.value).arg(truth)));
     }
     QVERIFY(withCentre > 0);
+}
+
+/// A lag is fitted as its square, a servo mismatch without feed as the difference of following errors.
+void DiagnosisTest::aSumStatesWhatItAdds() {
+    const auto truthOf = [](const Diagnosis &d, const SourceSum &sum, InfluenceId id, double value) {
+        double truth = 0;
+        for (const SourceSum::Part &part : sum.of) {
+            const SourceEstimate &source = d.sources[part.source];
+            truth += part.factor * (source.id == id                        ? value
+                                    : source.id == InfluenceId::squareness ? 30
+                                                                           : 2); // µrad; µm of the radius
+        }
+        return truth;
+    };
+    const auto sumWith = [](const Diagnosis &d, InfluenceId id) {
+        return *std::ranges::find_if(d.sums, [&](const SourceSum &sum) {
+            return std::ranges::any_of(sum.of, [&](const auto &p) { return d.sources[p.source].id == id; });
+        });
+    };
+    const auto partOf = [](const Diagnosis &d, const SourceSum &sum, InfluenceId id) {
+        return *std::ranges::find_if(sum.of, [&](const auto &p) { return d.sources[p.source].id == id; });
+    };
+    CircularSynthesis asked = machine();
+    asked.senses = {Sense::clockwise};
+    CircularMeasurement measurement = synthesizeCircular(asked);
+    measurement.feed.reset();
+    const MadeCircle without(std::move(measurement));
+    const Diagnosis d = diagnose(without.circle(), withoutSearch);
+    const SourceSum sum = sumWith(d, InfluenceId::servoMismatch);
+    const SourceSum::Part part = partOf(d, sum, InfluenceId::servoMismatch);
+    QCOMPARE(part.unit, "µm");
+    QCOMPARE(summandName(d, part).text.source, "Difference of following errors %1, in µm");
+    const double following = 0.6 * asked.feed / 60; // ms · mm/s
+    QVERIFY(std::abs(sum.value - truthOf(d, sum, InfluenceId::servoMismatch, following)) <= 0.01);
+
+    const auto made = [](double feed) {
+        CircularSynthesis lagging = machine();
+        lagging.feed = feed;
+        lagging.sources.push_back({InfluenceId::commonLag, none, 1e-4}); // s²
+        return MadeCircle(synthesizeCircular(lagging));
+    };
+    const MadeCircle slow = made(6000);
+    const MadeCircle fast = made(6100);
+    const Diagnosis feeds = diagnose(std::vector{slow.circle(), fast.circle()}, withoutSearch);
+    const SourceSum lag = sumWith(feeds, InfluenceId::commonLag);
+    const SourceSum::Part square = partOf(feeds, lag, InfluenceId::commonLag);
+    QCOMPARE(square.unit, "ms²");
+    QCOMPARE(summandName(feeds, square).text.source, "(Common lag %1)²");
+    const double truth = truthOf(feeds, lag, InfluenceId::commonLag, 100); // ms²
+    QVERIFY2(std::abs(lag.value - truth) <= 0.01 * std::abs(truth), qPrintable(QString::number(lag.value)));
 }
 
 void DiagnosisTest::eachSourceIsRecognised_data() {
