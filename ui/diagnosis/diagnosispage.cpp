@@ -221,7 +221,7 @@ void DiagnosisPage::refresh() {
         return;
     const auto count = [&](int n) { return m_language.number(n, Quantity::count, 0); };
     m_summary->setText(tr("%1 of %2 parameters told apart · condition %3")
-                           .arg(count(found->rank), count(found->of),
+                           .arg(count(found->toldApart), count(found->of),
                                 m_language.number(found->condition, Quantity::number, 1)));
     m_rows = diagnosisRows(*found, m_language);
     fillTable();

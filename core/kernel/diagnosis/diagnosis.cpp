@@ -136,6 +136,7 @@ public:
         m_diagnosis.readingsPerIndependent = m_fit.noise.readingsPerIndependent();
         m_diagnosis.points = m_rows.used();
         for (std::size_t j = 0; j < m_fit.terms.size(); ++j) {
+            m_diagnosis.toldApart += m_fit.isSeparable(j) ? 1 : 0;
             if (isListed(m_fit.terms[j]))
                 addSource(j, found);
         }

@@ -126,6 +126,7 @@ struct Diagnosis {
     std::string second;
     int rank = 0;                      ///< parameters that the circle determines
     int of = 0;                        ///< parameters fitted
+    int toldApart = 0;                 ///< of them, not only in sums with others
     double condition = 0;              ///< of the scaled columns
     double residual = 0;               ///< standard deviation not explained by any source, mm
     double readingsPerIndependent = 1; ///< neighbouring readings worth one independent reading

@@ -23,8 +23,9 @@ constexpr int decimalsOfParts = 2;
 const QString intervalHead = QStringLiteral("± 95\u00A0%");
 
 QString ofAll(const Diagnosis &diagnosis, const Language &language) {
-    return language.sentence(REPORT_TEXT("report", "%1 of %2"), {language.count(diagnosis.rank).toStdString(),
-                                                                 language.count(diagnosis.of).toStdString()});
+    return language.sentence(
+        REPORT_TEXT("report", "%1 of %2"),
+        {language.count(diagnosis.toldApart).toStdString(), language.count(diagnosis.of).toStdString()});
 }
 
 Cell contributionCell(const DiagnosisRow &row, const Language &language, int decimals) {

@@ -168,6 +168,20 @@ private slots:
         }
         QVERIFY(sums >= 1);
         QVERIFY(notTold >= 2);
+        // Nor are they counted as told.
+        QString fit;
+        for (const Block &block : page) {
+            if (const auto *both = std::get_if<SideBySide>(&block)) {
+                for (const Part &part : both->right) {
+                    if (const auto *values = std::get_if<KeyValues>(&part)) {
+                        for (const KeyValue &row : values->rows)
+                            fit += row.key + '=' + row.value + '\n';
+                    }
+                }
+            }
+        }
+        const int told = int(table->rows.size()) - sums - notTold;
+        QVERIFY2(fit.contains(QString("Told apart=%1 of 12").arg(told + 2)), qPrintable(fit)); // and a centre
     }
 
     void severalFeedsHaveAPageOfTheirOwn() {
