@@ -10584,8 +10584,16 @@
         <translation>Lectures sans valeur</translation>
     </message>
     <message>
-        <source>“Changed” where the difference exceeds its U, always between these two sessions. Of simulated pairs without a change, up to 12 % show one of A, E, M, R and B changed.</source>
-        <translation>«&#xa0;Changé&#xa0;» lorsque la différence dépasse son U, toujours entre ces deux séances. Parmi des couples simulés sans changement, jusqu’à 12&#xa0;% montrent A, E, M, R ou B changé.</translation>
+        <source>“Changed” where the difference exceeds its U, always between these two sessions.</source>
+        <translation>«&#xa0;Changé&#xa0;» lorsque la différence dépasse son U, toujours entre ces deux séances.</translation>
+    </message>
+    <message>
+        <source>Of simulated pairs without a change, up to 12 % show one of A, E, M, R and B changed.</source>
+        <translation>Parmi des couples simulés sans changement, jusqu’à 12&#xa0;% montrent A, E, M, R ou B changé.</translation>
+    </message>
+    <message>
+        <source>U of the difference: root of the sum of the squares of both U, each with its repeatability (JCGM 100); nothing shared is known.</source>
+        <translation>U de la différence&#xa0;: racine de la somme des carrés des deux U, chacun avec sa répétabilité (JCGM 100)&#x202f;; rien de commun n’est connu.</translation>
     </message>
     <message>
         <source>between targets of the first test: linear; less the mean of all</source>

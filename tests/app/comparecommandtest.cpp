@@ -236,6 +236,26 @@ void CompareCommandTest::circlesAreComparedBySourcesAndPaths() {
     const double u = backlash->toObject()["expandedUncertainty"].toDouble();
     QVERIFY(u > 0 && u < 0.2);
     QVERIFY(std::abs(backlash->toObject()["difference"].toDouble() - 2) < 2 * u);
+    // What was found for axes is not said of circles.
+    QFile file(circles);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QJsonObject root = QJsonDocument::fromJson(file.readAll()).object();
+    QJsonArray tests = root["tests"].toArray();
+    QJsonObject first = tests[0].toObject();
+    QJsonObject uncertainty = first["uncertainty"].toObject();
+    uncertainty["repeatability"] = 0.2;
+    first["uncertainty"] = uncertainty;
+    tests[0] = first;
+    root["tests"] = tests;
+    const QString stated = folder.filePath("stated.palmer");
+    QFile changed(stated);
+    QVERIFY(changed.open(QIODevice::WriteOnly));
+    changed.write(QJsonDocument(root).toJson());
+    changed.close();
+    const QByteArray said = runCli({"compare", stated, stated, "--test", "1"}).out.simplified();
+    QVERIFY2(said.contains("of both U, each with its repeatability"), said);
+    QVERIFY(said.contains("always between these two sessions") && !said.contains("A, E, M, R"));
+    QVERIFY(runCli({"compare", both, both, "--test", "1,2"}).out.simplified().contains("A, E, M, R"));
 }
 
 void CompareCommandTest::printsItInBothLanguages() {

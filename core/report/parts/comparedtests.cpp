@@ -4,6 +4,7 @@
 
 #include "figures/differencefigure.h"
 #include "figures/testfigures.h"
+#include "kernel/evaluation/edition.h"
 #include "language/rounding.h"
 #include "report/parts/parts.h"
 #include "report/tables/diagnosisrows.h"
@@ -504,6 +505,9 @@ QString reasonOf(const TestComparison &comparison, const Language &language) {
 
 namespace {
 
+constexpr Text changedBeyondU =
+    REPORT_TEXT("report", "“Changed” where the difference exceeds its U, always between these two sessions.");
+
 Text meaningOfWords(const TestComparison &comparison) {
     const auto says = [&](auto predicate) { return std::ranges::any_of(comparison.parameters, predicate); };
     if (says([](const ComparedParameter &p) { return p.enRatio.has_value(); }))
@@ -519,10 +523,7 @@ Text meaningOfWords(const TestComparison &comparison) {
                            "Unchanged within t where difference and U together are at most t; changed "
                            "by more than t where the difference less U exceeds it; always between "
                            "these two sessions.");
-    return REPORT_TEXT("report",
-                       "“Changed” where the difference exceeds its U, always between these two "
-                       "sessions. Of simulated pairs without a change, up to 12 % show one of A, E, M, R "
-                       "and B changed.");
+    return changedBeyondU;
 }
 
 /// The parts of U, each alone; empty without a simulation.
@@ -550,6 +551,7 @@ QString partsOfUncertainty(const TestComparison &comparison, const Writer &write
 
 QStringList methodSentences(const TestComparison &comparison, const Language &language) {
     const Writer write(language);
+    const bool ofCircles = comparison.edition && comparison.edition->circles;
     QStringList sentences;
     if (comparison.simulated) {
         QStringList shared;
@@ -569,12 +571,22 @@ QStringList methodSentences(const TestComparison &comparison, const Language &la
                                                   "each."),
                                       shared.join(QStringLiteral(", "))));
     } else if (!comparison.noWord && !comparison.refusal) {
-        sentences << write.text(REPORT_TEXT("report",
-                                            "U of the difference: root of the sum of the squares of both U "
-                                            "and of the repeatability (JCGM 100); nothing shared is known."));
+        sentences << write.text(
+            ofCircles
+                ? REPORT_TEXT("report",
+                              "U of the difference: root of the sum of the squares of both U, each with "
+                              "its repeatability (JCGM 100); nothing shared is known.")
+                : REPORT_TEXT("report", "U of the difference: root of the sum of the squares of both U "
+                                        "and of the repeatability (JCGM 100); nothing shared is known."));
     }
-    if (!comparison.noWord && !comparison.refusal)
-        sentences << write.text(meaningOfWords(comparison));
+    if (!comparison.noWord && !comparison.refusal) {
+        const Text meaning = meaningOfWords(comparison);
+        sentences << write.text(meaning);
+        if (meaning == changedBeyondU && !ofCircles)
+            sentences << write.text(REPORT_TEXT("report",
+                                                "Of simulated pairs without a change, up to 12 % show one of "
+                                                "A, E, M, R and B changed."));
+    }
     if (const QString parts = partsOfUncertainty(comparison, write); !parts.isEmpty())
         sentences << parts;
     return sentences;
