@@ -31,6 +31,19 @@ bool asksForD(const CircularCase &test) {
     return !test.feedback() && test.asksFor(OfCircle::meanRadialDeviation);
 }
 
+/// True if such rows are shown although agreed limits ask for others only.
+bool listsUnasked(const CircularCase &test, OfCircle what) {
+    return !test.feedback() && !test.asksFor(what) &&
+           std::ranges::any_of(test.edition.circles->rows, [&](const CircularRow &row) {
+               return row.term.circle == what && test.isRequired(row.term);
+           });
+}
+
+constexpr Text noDOfPartialArcs =
+    REPORT_TEXT("report", "No value for D: it needs full circles in both senses.");
+constexpr Text noFOfPartialArc = REPORT_TEXT(
+    "report", "No value for F of a partial arc: the least squares centre is for full circles only.");
+
 bool partialArc(const CircularCase &test) {
     return std::ranges::any_of(test.results.paths, [](const EvaluatedPath &p) { return !p.fullCircle; });
 }
@@ -128,8 +141,7 @@ Judgement bothSenses(const CircularCase &test) {
 }
 
 Sentence partialArcsForD(const CircularCase &test) {
-    return sentenceIf(asksForD(test) && test.bothSenses() && partialArc(test),
-                      REPORT_TEXT("report", "No value for D: it needs full circles in both senses."));
+    return sentenceIf(asksForD(test) && test.bothSenses() && partialArc(test), noDOfPartialArcs);
 }
 
 Sentence partialArcsForH(const CircularCase &test) {
@@ -139,10 +151,21 @@ Sentence partialArcsForH(const CircularCase &test) {
 }
 
 Sentence leastSquaresOfPartialArc(const CircularCase &test) {
-    return sentenceIf(
-        asksForF(test) && test.measurement.centring == Centring::leastSquares && partialArc(test),
-        REPORT_TEXT("report", "No value for F of a partial arc: the least squares centre is for full circles "
-                              "only."));
+    return sentenceIf(asksForF(test) && test.measurement.centring == Centring::leastSquares &&
+                          partialArc(test),
+                      noFOfPartialArc);
+}
+
+Sentence unaskedD(const CircularCase &test) {
+    return sentenceIf(listsUnasked(test, OfCircle::meanRadialDeviation) && test.bothSenses() &&
+                          partialArc(test),
+                      noDOfPartialArcs);
+}
+
+Sentence unaskedF(const CircularCase &test) {
+    return sentenceIf(listsUnasked(test, OfCircle::radialDeviation) &&
+                          test.measurement.centring == Centring::leastSquares && partialArc(test),
+                      noFOfPartialArc);
 }
 
 Sentence setUpCentring(const CircularCase &test) {

@@ -21,6 +21,8 @@ Sentence partialArcsForD(const CircularCase &test);
 Sentence partialArcsForH(const CircularCase &test); ///< full circles for H
 Sentence
 leastSquaresOfPartialArc(const CircularCase &test);      ///< full circle for F about the least squares centre
+Sentence unaskedD(const CircularCase &test);             ///< the same of results shown, not asked for
+Sentence unaskedF(const CircularCase &test);             ///< likewise
 Sentence setUpCentring(const CircularCase &test);        ///< F of a full circle about the set-up centre
 Sentence noCircle(const CircularCase &test);             ///< enough points, not on a line
 Sentence noLeastSquaresCircle(const CircularCase &test); ///< if G, F or D need one

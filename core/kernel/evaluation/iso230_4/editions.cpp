@@ -160,6 +160,8 @@ constexpr std::array programRows{
     programRow("arcs", readings, unless<anglesAgainstSense>),
     programRow("arcs", readings, unless<largeDeviations>),
     programRow("fullCircles", readings, unless<partialArcsForH>, missingValues),
+    programRow("fullCircles", readings, unless<unaskedD>, missingValues),
+    programRow("centring", readings, unless<unaskedF>, missingValues),
     programRow("minimumZone", readings, unless<noCircle>, missingValues),
     programRow("minimumZone", readings, unless<notCertified>),
     programRow("leastSquares", readings, unless<noLeastSquaresCircle>, missingValues),

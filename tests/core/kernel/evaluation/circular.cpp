@@ -42,6 +42,7 @@ private slots:
     void noResultOfBothFromOne();
     void calibration();
     void feedback();
+    void whatIsShownWithoutValueSaysWhy();
     void limitsOfF();
     void rowsAndTestAgreeUnderAllPairsOfLimits();
     void equalToTheLimitConformsWhateverTheRadius();
@@ -499,6 +500,25 @@ void Circular::calibration() {
     QVERIFY(limited.limits.at(2).state == LimitState::respected);
     measurement(test).referenceLength.calibrated = true;
     QVERIFY(evaluated(test).limits.at(0).state == LimitState::respected);
+}
+
+void Circular::whatIsShownWithoutValueSaysWhy() {
+    const auto shape = [](double theta) { return std::cos(2 * theta); };
+    Test test =
+        circularTest({path(counterclockwise, 180, shape, 0, 180), path(clockwise, 180, shape, 180, 180)});
+    for (const Limits &limits : {Limits{}, Limits{{"G", {0.01, {}, ""}}}}) {
+        test.limits = limits;
+        const auto e = evaluated(test);
+        QVERIFY(!parameter(e, "Fmax_XY")->value && !parameter(e, "D_XY")->value);
+        for (const char *id : {"centring", "fullCircles"}) {
+            const Finding *why = finding(e, id);
+            QVERIFY2(why, id);
+            // What no limit asks for is no requirement.
+            QVERIFY2((why->grade == Grade::requirement) == limits.empty(), id);
+        }
+    }
+    measurement(test).requiredResults = {"G"}; // F and D are not shown
+    QVERIFY(!finding(evaluated(test), "centring") && !finding(evaluated(test), "fullCircles"));
 }
 
 void Circular::feedback() {
