@@ -85,8 +85,10 @@ void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &
 }
 
 /// Appends to a list: "A, B".
+/// Once: a result may have two limits, as Fmax has that of F.
 void add(std::string &list, const std::string &symbol) {
-    list += (list.empty() ? "" : ", ") + symbol;
+    if ((", " + list + ", ").find(", " + symbol + ", ") == std::string::npos)
+        list += (list.empty() ? "" : ", ") + symbol;
 }
 
 /// Returns why a limit cannot be evaluated; null if it can. `found`: the results it applies to.

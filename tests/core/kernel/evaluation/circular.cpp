@@ -552,6 +552,17 @@ void Circular::limitsOfF() {
     QVERIFY(!finding(e, "limits")); // a limit from below may be negative
     test.limits = {{"Fmin", {-0.004, {}, ""}}};
     QVERIFY(evaluated(test).verdict == Verdict::doesNotConform);
+    // Two limits of one row: its name is said once.
+    Test warm = test;
+    warm.limits = {{"F", {0.01, {}, ""}}, {"Fmin", {-0.006, {}, ""}}};
+    warm.decisionRule = {Rule::iso14253_1, 1.0};
+    measurement(warm).conditions.common.sensors = {{SensorMeasures::machine, "", 25, 25, {}}};
+    const auto uncorrected = evaluated(warm);
+    const auto said = std::ranges::find_if(uncorrected.findings, [](const Finding &finding) {
+        return std::string_view(finding.message.text.source).starts_with("Nothing is proven for");
+    });
+    QVERIFY(said != uncorrected.findings.end());
+    QCOMPARE(std::get<std::string>(said->message.arguments.at(0)), std::string("FminXY"));
     test.limits = {{"D", {0.01, {}, ""}}};
     e = evaluated(test);
     QVERIFY(e.verdict == Verdict::notProven && finding(e, "limits"));
