@@ -7263,8 +7263,8 @@
         <translation>limite %1 non évaluable&#xa0;: %2</translation>
     </message>
     <message>
-        <source>limit %1</source>
-        <translation>limite %1</translation>
+        <source>limit %1: %2</source>
+        <translation>limite %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Adjustment:</source>

@@ -257,6 +257,12 @@ private:
         }
     }
 
+    [[nodiscard]] static Verdict stateOf(const AgreedLimit &limit) {
+        return limit.state == LimitState::respected  ? Verdict::conforms
+               : limit.state == LimitState::exceeded ? Verdict::doesNotConform
+                                                     : Verdict::notProven;
+    }
+
     /// A limit without a row of results: it cannot be evaluated, or another one rules.
     void addOpenLimit(const TestPart &part, const AgreedLimit &limit, bool pale) {
         const QString value =
@@ -265,7 +271,8 @@ private:
         cells[2] = boldCell(QString::fromStdString(limit.symbol));
         cells[3] = Cell(limit.reason ? m_write.say(REPORT_TEXT("report", "limit %1 not evaluable: %2"),
                                                    {value.toStdString(), notEvaluableText(*limit.reason)})
-                                     : m_write.say(REPORT_TEXT("report", "limit %1"), value));
+                                     : m_write.say(REPORT_TEXT("report", "limit %1: %2"),
+                                                   {value.toStdString(), limitText(stateOf(limit))}));
         cells[3].extras.edit().columns = cells.size() - 4;
         cells.back() = Cell();
         addRow(part, std::move(cells), pale);

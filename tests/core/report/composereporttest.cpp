@@ -899,6 +899,20 @@ private slots:
         }
     }
 
+    /// The row of a limit that is not the one of its result says its state.
+    void aSecondLimitHasItsState() {
+        Document changed = *document("iso230-4-full-circles-xy");
+        Test test = *changed.tests[0];
+        std::get<CircularMeasurement>(test.measurement).referenceLength.calibrated = true;
+        test.limits = {{"F", {0.013, {}, ""}}, {"Fmax", {0.012, {}, ""}}, {"Fmin", {-0.012, {}, ""}}};
+        test.decisionRule = {};
+        changed.tests = {std::make_shared<const Test>(test), std::make_shared<const Test>(test)};
+        const QString page =
+            text(std::make_shared<const Document>(changed), Language(Language::Id::english)).simplified();
+        QVERIFY2(QString(page).replace(QChar(u'\u00A0'), ' ').contains("limit 13 µm: exceeded"),
+                 qPrintable(page));
+    }
+
     /// A statement on a rotary axis is printed, in a joint table as in that of one test.
     void theCorrectionOfARotaryAxisIsPrinted() {
         Document changed = *document("rotary-axis");
