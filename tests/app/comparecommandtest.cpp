@@ -236,7 +236,7 @@ void CompareCommandTest::circlesAreComparedBySourcesAndPaths() {
     const double u = backlash->toObject()["expandedUncertainty"].toDouble();
     QVERIFY(u > 0 && u < 0.2);
     QVERIFY(std::abs(backlash->toObject()["difference"].toDouble() - 2) < 2 * u);
-    // What was found for axes is not said of circles.
+    // Words found for axes are not said of circles.
     QFile file(circles);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QJsonObject root = QJsonDocument::fromJson(file.readAll()).object();

@@ -513,7 +513,7 @@ void Circular::whatIsShownWithoutValueSaysWhy() {
         for (const char *id : {"centring", "fullCircles"}) {
             const Finding *why = finding(e, id);
             QVERIFY2(why, id);
-            // What no limit asks for is no requirement.
+            // No limit asks for them: no requirement.
             QVERIFY2((why->grade == Grade::requirement) == limits.empty(), id);
         }
     }
