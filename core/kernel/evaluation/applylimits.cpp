@@ -84,8 +84,7 @@ void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &
         findSecondLimit(evaluation, p, other, why);
 }
 
-/// Appends to a list: "A, B".
-/// Once: a result may have two limits, as Fmax has that of F.
+/// Appends to a list: "A, B". Once, for a result may have two limits, as Fmax has that of F.
 void add(std::string &list, const std::string &symbol) {
     if ((", " + list + ", ").find(", " + symbol + ", ") == std::string::npos)
         list += (list.empty() ? "" : ", ") + symbol;
